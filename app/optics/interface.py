@@ -1,0 +1,93 @@
+"""The boundary between two media."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from app.optics.parameters import K_T, N_I, N_T, Array
+
+Kind = Literal["dielectric", "conductor"]
+
+MU_BAR = 1.0 / 7.0
+"""Cosine at which F82 is taken, about 81.8 degrees (Hoffman 2019; Kutz et al. 2021)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Interface:
+    """A smooth boundary from a transparent medium `n_i` to a medium N = n_t + i k_t.
+
+    The time factor is exp(-i w t), so k_t >= 0 absorbs. All three broadcast against each other
+    and against the angles they are evaluated at.
+
+    Parameters
+    ----------
+    n_i
+        Real index of the incident medium, 1e-3 to 100.
+    n_t, k_t
+        Real and imaginary part of the second medium's index, 1e-3 to 100 and 0 to 100.
+
+    Raises
+    ------
+    OutOfRange
+        If a value is out of bounds, NaN or infinite.
+
+    Examples
+    --------
+    >>> glass = Interface(n_t=1.5)
+    >>> round(float(glass.F0), 12), glass.kind
+    (0.04, 'dielectric')
+    """
+
+    n_i: Array
+    n_t: Array
+    k_t: Array
+
+    def __init__(self, n_i: ArrayLike = 1.0, n_t: ArrayLike = 1.5, k_t: ArrayLike = 0.0) -> None:
+        object.__setattr__(self, "n_i", N_I.check(n_i))
+        object.__setattr__(self, "n_t", N_T.check(n_t))
+        object.__setattr__(self, "k_t", K_T.check(k_t))
+
+    @cached_property
+    def eta(self) -> Array:
+        """Relative index n_t / n_i."""
+        return np.asarray(self.n_t / self.n_i)
+
+    @cached_property
+    def kappa(self) -> Array:
+        """Relative extinction k_t / n_i."""
+        return np.asarray(self.k_t / self.n_i)
+
+    @cached_property
+    def eta_minus_1(self) -> Array:
+        """eta - 1 from the difference of the indices, which is exact where eta is near 1."""
+        return np.asarray((self.n_t - self.n_i) / self.n_i)
+
+    @property
+    def is_conductor(self) -> bool:
+        """Whether the second medium absorbs anywhere."""
+        return bool(np.any(self.k_t > 0.0))
+
+    @property
+    def kind(self) -> Kind:
+        """'conductor' where the second medium absorbs, else 'dielectric'."""
+        return "conductor" if self.is_conductor else "dielectric"
+
+    @cached_property
+    def F0(self) -> Array:
+        """Reflectance at normal incidence, ((n_t-n_i)^2 + k_t^2) / ((n_t+n_i)^2 + k_t^2)."""
+        return np.asarray(
+            ((self.n_t - self.n_i) ** 2 + self.k_t**2) / ((self.n_t + self.n_i) ** 2 + self.k_t**2)
+        )
+
+    @cached_property
+    def F82(self) -> Array:
+        """Exact reflectance at cos(theta_i) = 1/7."""
+        from app.optics.amplitudes import power
+        from app.optics.incidence import Incidence
+
+        return power(self, Incidence.from_cosine(MU_BAR)).R

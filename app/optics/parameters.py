@@ -1,0 +1,100 @@
+"""Declared parameters: one place for name, symbol, bounds and unit.
+
+The core checks its arguments against these declarations, and the API's query models, OpenAPI and the
+controls on the page are made from them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from app.optics.errors import OutOfRange
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A number that users may set.
+
+    Attributes
+    ----------
+    name
+        Spelling in Python, JSON, URL and JavaScript.
+    symbol
+        LaTeX of the symbol.
+    default
+        Value used when none is given; None where it is solved from the interface.
+    minimum, maximum
+        Inclusive bounds.
+    unit
+        Unit, empty for pure numbers.
+    description
+        One sentence for API docs and labels on the page.
+    """
+
+    name: str
+    symbol: str
+    default: float | None
+    minimum: float
+    maximum: float
+    unit: str
+    description: str
+
+    @property
+    def allowed(self) -> str:
+        """The bounds in words."""
+        unit = f" {self.unit}" if self.unit else ""
+        return f"a finite number from {self.minimum:g} to {self.maximum:g}{unit}"
+
+    def check(self, value: ArrayLike) -> Array:
+        """Return `value` as a float64 array.
+
+        Raises
+        ------
+        OutOfRange
+            If any element is no real number, NaN, infinite or out of bounds.
+        """
+        try:
+            if np.iscomplexobj(value):
+                raise TypeError
+            array = np.asarray(value, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise OutOfRange(self.name, repr(value), self.allowed) from None
+        inside = (array >= self.minimum) & (array <= self.maximum)  # NaN compares false
+        if not inside.all():
+            raise OutOfRange(self.name, array[~inside].flat[0], self.allowed)
+        return array
+
+
+N_I = Parameter(
+    "n_i", r"n_i", 1.0, 1e-3, 100.0, "", "Real refractive index of the incident medium."
+)
+N_T = Parameter(
+    "n_t", r"n_t", 1.5, 1e-3, 100.0, "", "Real part of the second medium's refractive index."
+)
+K_T = Parameter(
+    "k_t",
+    r"k_t",
+    0.0,
+    0.0,
+    100.0,
+    "",
+    "Imaginary part of the second medium's index (extinction), in N = n_t + i k_t.",
+)
+THETA_I_DEG = Parameter(
+    "theta_i_deg",
+    r"\theta_i",
+    0.0,
+    0.0,
+    90.0,
+    "deg",
+    "Angle of incidence, measured from the surface normal.",
+)
+THETA_I = Parameter(
+    "theta_i", r"\theta_i", 0.0, 0.0, np.pi / 2, "rad", "Angle of incidence from the normal."
+)
+MU = Parameter("mu", r"\mu", 1.0, 0.0, 1.0, "", "Cosine of the angle of incidence.")
