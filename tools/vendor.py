@@ -61,7 +61,7 @@ PACKAGES = (
         {
             "dist/katex.min.js": ".",
             "dist/katex.min.css": ".",
-            # Browsers take the first format they know, so the woff and ttf twins are never asked for.
+            # Browsers take the first format they know: the woff and ttf twins go unused.
             "dist/fonts/*.woff2": "fonts",
         },
     ),

@@ -1,0 +1,89 @@
+# `make run` needs Python >= 3.11 alone; `make test` brings Node and Chromium where they are missing.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+BROWSERS := chromium chromium-browser google-chrome-stable google-chrome
+
+# Recipes use the project's own tools first, whatever environment is activated.
+export PATH := $(CURDIR)/$(BIN):$(CURDIR)/node_modules/.bin:$(PATH)
+
+.NOTPARALLEL:
+.PHONY: help run test format lint types unit browser bench lock vendor chromium clean
+.DEFAULT_GOAL := help
+
+help: ## list the targets
+	@grep -E '^[a-z]+:.*##' Makefile | sed -E 's/:.*## /\t/' | expand -t 12
+
+run: $(VENV)/run.stamp ## serve on 127.0.0.1:8000 (FRESNEL_HOST and FRESNEL_PORT change it)
+	@$(BIN)/fresnel-explorer
+
+test: lint types unit browser ## check everything, as .ci/run does
+
+format: $(VENV)/test.stamp node_modules/stamp ## rewrite the sources in the project's format
+	ruff format
+	ruff check --fix
+	biome check --write
+
+lint: $(VENV)/test.stamp node_modules/stamp ## formats and lint rules: Python, then JavaScript and CSS
+	ruff format --check
+	ruff check
+	biome check --error-on-warnings
+
+types: $(VENV)/test.stamp node_modules/stamp ## static types: Python, then JavaScript
+	mypy
+	tsc
+
+unit: $(VENV)/test.stamp node_modules/stamp ## every test that needs no browser
+	node --test tests/js/*.test.js
+	pytest tests --ignore tests/browser
+
+# In a pytest of its own: after Playwright's synchronous API no test in the process can use asyncio.run.
+browser: $(VENV)/test.stamp node_modules/stamp chromium ## the tests in Chromium
+	pytest tests/browser
+
+bench: $(VENV)/test.stamp chromium ## measure what the project claims about its speed
+	python -m benchmarks
+
+COMPILE := uv pip compile --no-config --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --quiet
+
+lock: $(BIN)/python ## recompute the hash-locked requirement files from pyproject.toml
+	python -m pip install --quiet uv
+	$(COMPILE) pyproject.toml --group build -o requirements.lock
+	$(COMPILE) pyproject.toml --group build --group test -c requirements.lock -o requirements-test.lock
+	$(COMPILE) --group node -o requirements-node.lock
+
+vendor: $(VENV)/test.stamp node_modules/stamp ## refill static/vendor from the npm packages
+	python tools/vendor.py
+
+$(BIN)/python:
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
+	  || { echo "Python >= 3.11 is needed; name it so: make run PYTHON=/path/to/python3.12" >&2; exit 1; }
+	@$(PYTHON) -m venv $(VENV) || { rm -rf $(VENV); exit 1; }
+
+# The stamps are as old as the last install, which is repeated when a lock file is newer.
+$(VENV)/run.stamp: requirements.lock pyproject.toml | $(BIN)/python
+	python -m pip install --disable-pip-version-check --require-hashes -r requirements.lock
+	python -m pip install --disable-pip-version-check --no-deps --no-build-isolation -e .
+	@touch $@
+
+$(VENV)/test.stamp: requirements-test.lock $(VENV)/run.stamp
+	python -m pip install --disable-pip-version-check --require-hashes -r requirements-test.lock
+	@touch $@
+
+node_modules/stamp: package-lock.json requirements-node.lock | $(BIN)/python
+	@node -e 'process.exit(parseInt(process.versions.node) < 20)' 2>/dev/null && npm --version >/dev/null \
+	  || python -m pip install --disable-pip-version-check --require-hashes -r requirements-node.lock
+	npm ci --ignore-scripts --no-audit --no-fund
+	@touch $@
+
+chromium: # by apt where there is none and apt may be used; elsewhere the browser tests skip, and fail in CI
+	@for browser in "$$CHROME_PATH" $(BROWSERS); do command -v "$$browser" >/dev/null && exit 0; done; \
+	command -v apt-get >/dev/null || exit 0; \
+	if [ "$$(id -u)" = 0 ]; then root=; elif sudo -n true 2>/dev/null; then root=sudo; else exit 0; fi; \
+	$$root apt-get update && $$root apt-get install -y --no-install-recommends chromium \
+	  || echo "Chromium could not be installed" >&2
+
+clean: ## remove everything that make made
+	rm -rf $(VENV) node_modules .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	find . -name __pycache__ -prune -exec rm -rf {} +

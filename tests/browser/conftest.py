@@ -1,0 +1,111 @@
+"""A running application and a Chromium to look at it with."""
+
+import os
+import shutil
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+import pytest
+from playwright.sync_api import ConsoleMessage, Page, Request
+
+ROOT = Path(__file__).parents[2]
+BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome")
+STARTUP_SECONDS = 60.0
+
+
+def find_browser() -> str | None:
+    """Find the browser that CHROME_PATH names, else one on the PATH."""
+    named = os.environ.get("CHROME_PATH")
+    if named:
+        return named
+    return next(filter(None, map(shutil.which, BROWSERS)), None)
+
+
+@pytest.fixture(scope="session")
+def browser_type_launch_args(browser_type_launch_args: dict[str, Any]) -> dict[str, Any]:
+    """Launch the machine's own browser; without one skip on a laptop and fail in CI."""
+    browser = find_browser()
+    if browser is None:
+        reason = f"no browser: set CHROME_PATH or install one of {', '.join(BROWSERS)}"
+        if os.environ.get("CI") or os.environ.get("REQUIRE_BROWSER"):
+            pytest.fail(reason)
+        pytest.skip(reason)
+    # Chromium refuses to run its sandbox as root.
+    root = hasattr(os, "geteuid") and os.geteuid() == 0
+    return {
+        **browser_type_launch_args,
+        "executable_path": browser,
+        "args": [*browser_type_launch_args.get("args", []), *(["--no-sandbox"] if root else [])],
+    }
+
+
+@pytest.fixture(scope="session")
+def server_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """Serve the application on a free port for the whole session."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    url = f"http://127.0.0.1:{port}"
+    log = tmp_path_factory.mktemp("server") / "server.log"
+    arguments = ["app.main:create_app", "--factory", "--port", str(port), "--log-level", "warning"]
+    with (
+        log.open("wb") as output,
+        subprocess.Popen(
+            [sys.executable, "-m", "uvicorn", *arguments],
+            cwd=ROOT,
+            stdout=output,
+            stderr=subprocess.STDOUT,
+        ) as server,
+    ):
+        try:
+            wait_until_healthy(server, url, log)
+            yield url
+        finally:
+            server.terminate()
+
+
+def wait_until_healthy(server: subprocess.Popen[bytes], url: str, log: Path) -> None:
+    """Return when the server answers, fail with its log when it stops or stays silent."""
+    deadline = time.monotonic() + STARTUP_SECONDS
+    while server.poll() is None and time.monotonic() < deadline:
+        try:
+            with urllib.request.urlopen(f"{url}/api/v1/health", timeout=5):  # noqa: S310
+                return
+        except (urllib.error.URLError, ConnectionError, TimeoutError):
+            time.sleep(0.1)
+    pytest.fail(f"the server did not start:\n{log.read_text()}")
+
+
+@pytest.fixture(scope="session")
+def base_url(server_url: str) -> str:
+    """Let `page.goto("/?n_t=1.5")` reach the server."""
+    return server_url
+
+
+@pytest.fixture
+def quiet_page(page: Page, server_url: str) -> Iterator[Page]:
+    """Give a page that must log nothing, raise nothing and ask no other host for anything."""
+    noise: list[str] = []
+    own_host = urlsplit(server_url).netloc
+
+    def note_console(message: ConsoleMessage) -> None:
+        noise.append(f"console {message.type}: {message.text}")
+
+    def note_request(request: Request) -> None:
+        address = urlsplit(request.url)
+        if address.scheme not in ("data", "blob") and address.netloc != own_host:
+            noise.append(f"request to another host: {request.url}")
+
+    page.on("console", note_console)
+    page.on("pageerror", lambda error: noise.append(f"uncaught: {error}"))
+    page.on("request", note_request)
+    yield page
+    assert noise == []
