@@ -190,7 +190,5 @@ def _brewster_null(interface: Interface, incidence: Incidence) -> tuple[Array, A
     """N^2 c^2 - s^2 as real and imaginary part: the factor that vanishes at Brewster's angle."""
     c, eta, kappa = incidence.cos, interface.eta, interface.kappa
     absorbed = kappa * c
-    real = (
-        brewster_factor(interface, incidence) * (eta * c + incidence.sin) - absorbed * absorbed
-    )
+    real = brewster_factor(interface, incidence) * (eta * c + incidence.sin) - absorbed * absorbed
     return np.asarray(real), np.asarray(2.0 * eta * c * absorbed)

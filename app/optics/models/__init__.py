@@ -1,0 +1,1 @@
+"""One file a model; each exposes `MODEL`, and `app.optics.registry` finds them."""

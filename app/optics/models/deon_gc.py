@@ -1,0 +1,39 @@
+"""The g, c form with which d'Eon evaluates a dielectric."""
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+
+
+def deon_gc(interface: Interface, incidence: Incidence) -> Array:
+    """R from c = cos(theta_i) and g = sqrt(eta^2 - 1 + c^2); 1 where the radicand is negative."""
+    c = incidence.cos
+    radicand = interface.eta**2 - 1.0 + c**2
+    g = np.sqrt(np.maximum(radicand, 0.0))
+    R = (
+        0.5
+        * (g - c) ** 2
+        / (g + c) ** 2
+        * (1.0 + (c * (g + c) - 1.0) ** 2 / (c * (g - c) + 1.0) ** 2)
+    )
+    return np.where(radicand >= 0.0, R, 1.0)
+
+
+MODEL = Model(
+    id="deon_gc",
+    title="d'Eon's g, c form",
+    kind="exact",
+    applies_to=("dielectric",),
+    latex=r"R=\tfrac12\,\frac{(g-c)^2}{(g+c)^2}"
+    r"\left(1+\frac{(c(g+c)-1)^2}{(c(g-c)+1)^2}\right),\quad "
+    r"g=\sqrt{\eta^2-1+c^2},\quad R=1\ \text{for}\ \eta^2-1+c^2<0",
+    reference="E. d'Eon, Fresnel Boundaries, notebook to A Hitchhiker's Guide to Multiple Scattering "
+    "(2019), evalF",
+    validity="Exact for dielectrics, total internal reflection included; loses digits as eta "
+    "approaches 1.",
+    cost=Cost(add=8, mul=10, div=2, sqrt=1),
+    function=deon_gc,
+)

@@ -1,0 +1,33 @@
+"""Lagarde's first shader form for dielectrics."""
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+
+
+def lagarde_dielectric(interface: Interface, incidence: Incidence) -> Array:
+    """R from eta and cos(theta_i) by way of cos(theta_t), as the shader computes it."""
+    eta, mu = interface.eta, incidence.cos
+    cos_t = np.sqrt(1.0 - (1.0 - mu * mu) / (eta * eta))
+    r_s = (mu - eta * cos_t) / (mu + eta * cos_t)
+    r_p = (cos_t - eta * mu) / (cos_t + eta * mu)
+    return np.asarray(0.5 * (r_s * r_s + r_p * r_p))
+
+
+MODEL = Model(
+    id="lagarde_dielectric",
+    title="Lagarde's dielectric shader",
+    kind="exact",
+    applies_to=("dielectric",),
+    latex=r"R=\tfrac12\left(\frac{\mu-\eta t}{\mu+\eta t}\right)^2"
+    r"+\tfrac12\left(\frac{t-\eta\mu}{t+\eta\mu}\right)^2,\quad "
+    r"t=\sqrt{1-\frac{1-\mu^2}{\eta^2}}",
+    reference="S. Lagarde, Memo on Fresnel equations (2013), dielectric-dielectric interface",
+    validity="Exact for dielectrics below the critical angle, undefined beyond it; loses digits as "
+    "eta approaches 1.",
+    cost=Cost(add=7, mul=7, div=3, sqrt=1),
+    function=lagarde_dielectric,
+)

@@ -1,0 +1,34 @@
+"""Schlick's polynomial, the approximation in nearly every renderer."""
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+
+
+def schlick(interface: Interface, incidence: Incidence) -> Array:
+    """R = F0 + (1 - F0)(1 - cos theta_i)^5 with F0 of the interface."""
+    F0 = interface.F0
+    return np.asarray(F0 + (1.0 - F0) * (1.0 - incidence.cos) ** 5)
+
+
+MODEL = Model(
+    id="schlick",
+    title="Schlick",
+    kind="approximation",
+    applies_to=("dielectric", "conductor"),
+    latex=r"R\approx F_0+(1-F_0)(1-\mu)^5",
+    reference="C. Schlick, An Inexpensive BRDF Model for Physically-based Rendering, Computer "
+    "Graphics Forum 13(3), 1994, doi:10.1111/1467-8659.1330233",
+    validity="From the thinner side (n_t > n_i); seen from the denser side it knows no critical "
+    "angle. Misses the dip of metals before grazing incidence.",
+    cost=Cost(add=2, mul=4),
+    function=schlick,
+    limits=lambda interface: (
+        "n_t < n_i: Schlick's polynomial knows no critical angle"
+        if not interface.is_conductor and bool(np.any(interface.eta < 1.0))
+        else None
+    ),
+)

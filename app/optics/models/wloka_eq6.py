@@ -1,0 +1,35 @@
+"""Wloka's equation 6: one product of sines and cosines."""
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+
+
+def wloka_eq6(interface: Interface, incidence: Incidence) -> Array:
+    """R from theta_i and theta_t, with the limit at normal incidence, where the quotient is 0/0."""
+    n_i, n_t = interface.n_i, interface.n_t
+    theta_i = incidence.theta_i
+    theta_t = np.arcsin(n_i / n_t * incidence.sin)
+    difference, total = theta_i - theta_t, theta_i + theta_t
+    sines = (np.sin(difference) / np.sin(total)) ** 2
+    cosines = (np.cos(total) / np.cos(difference)) ** 2
+    normal = ((n_i - n_t) / (n_i + n_t)) ** 2
+    return np.where(incidence.sin == 0.0, normal, 0.5 * sines * (1.0 + cosines))
+
+
+MODEL = Model(
+    id="wloka_eq6",
+    title="Wloka's equation 6",
+    kind="exact",
+    applies_to=("dielectric",),
+    latex=r"R=\tfrac12\,\frac{\sin^2(\theta_i-\theta_t)}{\sin^2(\theta_i+\theta_t)}"
+    r"\left(1+\frac{\cos^2(\theta_i+\theta_t)}{\cos^2(\theta_i-\theta_t)}\right)",
+    reference="M. Wloka, Fresnel Reflection, NVIDIA technical report (2002), equation 6",
+    validity="Exact for dielectrics below the critical angle, undefined beyond it; 0/0 at normal "
+    "incidence, where the limit stands in, and loses digits as n_t approaches n_i.",
+    cost=Cost(add=3, mul=5, div=3, trig=6),
+    function=wloka_eq6,
+)

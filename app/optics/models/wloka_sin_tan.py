@@ -1,0 +1,36 @@
+"""Wloka's equations 1 to 5: sines and tangents of sum and difference of the angles."""
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+
+
+def wloka_sin_tan(interface: Interface, incidence: Incidence) -> Array:
+    """R from theta_i and theta_t, with the limit at normal incidence, where the quotients are 0/0."""
+    n_i, n_t = interface.n_i, interface.n_t
+    theta_i = incidence.theta_i
+    theta_t = np.arcsin(n_i / n_t * incidence.sin)
+    difference, total = theta_i - theta_t, theta_i + theta_t
+    R_perpendicular = np.sin(difference) ** 2 / np.sin(total) ** 2
+    R_parallel = np.tan(difference) ** 2 / np.tan(total) ** 2
+    normal = ((n_i - n_t) / (n_i + n_t)) ** 2
+    return np.where(incidence.sin == 0.0, normal, 0.5 * (R_perpendicular + R_parallel))
+
+
+MODEL = Model(
+    id="wloka_sin_tan",
+    title="Wloka's sine and tangent form",
+    kind="exact",
+    applies_to=("dielectric",),
+    latex=r"R=\tfrac12\left(\frac{\sin^2(\theta_i-\theta_t)}{\sin^2(\theta_i+\theta_t)}"
+    r"+\frac{\tan^2(\theta_i-\theta_t)}{\tan^2(\theta_i+\theta_t)}\right),\quad "
+    r"R(0)=\left(\frac{n_i-n_t}{n_i+n_t}\right)^2",
+    reference="M. Wloka, Fresnel Reflection, NVIDIA technical report (2002), equations 1 to 5",
+    validity="Exact for dielectrics below the critical angle, undefined beyond it; 0/0 at normal "
+    "incidence, where the limit stands in, and loses digits as n_t approaches n_i.",
+    cost=Cost(add=3, mul=6, div=3, trig=6),
+    function=wloka_sin_tan,
+)

@@ -1,0 +1,164 @@
+"""What a model is, and the registry that finds every one in `app.optics.models`."""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from app.optics.errors import NotAllowed, UnknownModel
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface, Kind
+from app.optics.parameters import Array, Parameter
+
+ModelKind = Literal["exact", "approximation"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cost:
+    """Operations of one evaluation of R from cos(theta_i) and constants of the interface.
+
+    A fused multiply-add counts as one `mul` and one `add`; `trig` counts any sine, cosine, tangent
+    or inverse of one.
+    """
+
+    add: int = 0
+    mul: int = 0
+    div: int = 0
+    sqrt: int = 0
+    pow: int = 0
+    trig: int = 0
+    lookup: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Model:
+    """One formula for R(theta_i), exact or approximate.
+
+    Everything a user meets of a model stands here: routes, OpenAPI, the controls on the page, the
+    overlay, the README's table and the contract tests are made from this object.
+
+    Attributes
+    ----------
+    id, title
+        Name in the API (lower case, underscores) and name on the page.
+    kind
+        'exact' for forms algebraically equal to Fresnel's equations, else 'approximation'.
+    applies_to
+        Kinds of interface the formula was made for.
+    latex
+        The formula, in KaTeX's subset of LaTeX.
+    reference
+        Author, year, title, equation number.
+    validity
+        Where the formula holds and where it fails, in words.
+    cost
+        Operations of one evaluation.
+    function
+        `function(interface, incidence, **parameters) -> R`, broadcasting its arguments; NaN where
+        the formula is undefined.
+    parameters
+        The model's own parameters, passed to `function` by name.
+    limits
+        Returns why an interface lies outside the domain, or None inside; asked after `applies_to`.
+    """
+
+    id: str
+    title: str
+    kind: ModelKind
+    applies_to: tuple[Kind, ...]
+    latex: str
+    reference: str
+    validity: str
+    cost: Cost
+    function: Callable[..., Array]
+    parameters: tuple[Parameter, ...] = ()
+    limits: Callable[[Interface], str | None] = field(default=lambda _: None)
+
+    def __call__(
+        self, interface: Interface, incidence: Incidence, **parameters: ArrayLike | None
+    ) -> Array:
+        """Evaluate R, an array of the broadcast shape of interface and incidence.
+
+        Raises
+        ------
+        NotAllowed
+            If a parameter is not the model's own.
+        OutOfRange
+            If a parameter's value is out of its bounds.
+        """
+        checked: dict[str, Array | None] = {}
+        for parameter in self.parameters:
+            value = parameters.pop(parameter.name, parameter.default)
+            checked[parameter.name] = None if value is None else parameter.check(value)
+        if parameters:
+            own = [parameter.name for parameter in self.parameters]
+            name, value = next(iter(parameters.items()))
+            raise NotAllowed(f"{self.id}.{name}", value, f"{self.id} has the parameters {own}")
+        # A form undefined at some angle answers NaN there, which is a result and not a fault.
+        with np.errstate(invalid="ignore", divide="ignore"):
+            values = self.function(interface, incidence, **checked)
+        shape = np.broadcast_shapes(
+            interface.n_i.shape, interface.n_t.shape, interface.k_t.shape, incidence.cos.shape
+        )
+        return np.broadcast_to(values, np.broadcast_shapes(shape, values.shape))
+
+    def reason_outside(self, interface: Interface) -> str | None:
+        """Why `interface` lies outside the model's domain, or None inside it."""
+        if interface.kind not in self.applies_to:
+            return f"made for a {' or '.join(self.applies_to)}, and this is a {interface.kind}"
+        return self.limits(interface)
+
+
+class Registry(Mapping[str, Model]):
+    """Models by id, in order: `exact` first, then exact forms, then approximations."""
+
+    def __init__(self, models: Iterable[Model]) -> None:
+        ordered = sorted(models, key=lambda m: (m.id != "exact", m.kind != "exact", m.id))
+        self._models = {model.id: model for model in ordered}
+        if len(self._models) != len(ordered):
+            raise ValueError("two models share an id")
+
+    def __getitem__(self, model_id: str) -> Model:
+        """Return the model of that id.
+
+        Raises
+        ------
+        KeyError
+            If there is none; `find` raises an error for users instead.
+        """
+        return self._models[model_id]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._models)
+
+    def __len__(self) -> int:
+        return len(self._models)
+
+    def find(self, model_id: str, parameter: str = "models") -> Model:
+        """Return the model of that id.
+
+        Raises
+        ------
+        UnknownModel
+            If there is none, naming the nearest ids.
+        """
+        try:
+            return self._models[model_id]
+        except KeyError:
+            raise UnknownModel(parameter, model_id, self._models) from None
+
+
+@cache
+def default_registry() -> Registry:
+    """Every `MODEL` in the modules of `app.optics.models`; adding a file there adds a model."""
+    package = importlib.import_module("app.optics.models")
+    names = [info.name for info in pkgutil.iter_modules(package.__path__)]
+    modules = [importlib.import_module(f"{package.__name__}.{name}") for name in names]
+    return Registry(module.MODEL for module in modules)
