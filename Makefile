@@ -3,6 +3,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+INSTALL := python -m pip install --quiet --disable-pip-version-check
 BROWSERS := chromium chromium-browser google-chrome-stable google-chrome
 
 # Recipes use the project's own tools first, whatever environment is activated.
@@ -48,7 +49,7 @@ bench: $(VENV)/test.stamp chromium ## measure what the project claims about its 
 COMPILE := uv pip compile --no-config --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --quiet
 
 lock: $(BIN)/python ## recompute the hash-locked requirement files from pyproject.toml
-	python -m pip install --quiet uv
+	$(INSTALL) uv
 	$(COMPILE) pyproject.toml --group build -o requirements.lock
 	$(COMPILE) pyproject.toml --group build --group test -c requirements.lock -o requirements-test.lock
 	$(COMPILE) --group node -o requirements-node.lock
@@ -63,17 +64,17 @@ $(BIN)/python:
 
 # The stamps are as old as the last install, which is repeated when a lock file is newer.
 $(VENV)/run.stamp: requirements.lock pyproject.toml | $(BIN)/python
-	python -m pip install --disable-pip-version-check --require-hashes -r requirements.lock
-	python -m pip install --disable-pip-version-check --no-deps --no-build-isolation -e .
+	$(INSTALL) --require-hashes -r requirements.lock
+	$(INSTALL) --no-deps --no-build-isolation -e .
 	@touch $@
 
 $(VENV)/test.stamp: requirements-test.lock $(VENV)/run.stamp
-	python -m pip install --disable-pip-version-check --require-hashes -r requirements-test.lock
+	$(INSTALL) --require-hashes -r requirements-test.lock
 	@touch $@
 
 node_modules/stamp: package-lock.json requirements-node.lock | $(BIN)/python
-	@node -e 'process.exit(parseInt(process.versions.node) < 20)' 2>/dev/null && npm --version >/dev/null \
-	  || python -m pip install --disable-pip-version-check --require-hashes -r requirements-node.lock
+	@node -e 'process.exit(+(parseInt(process.versions.node) < 20))' 2>/dev/null && npm --version >/dev/null \
+	  || $(INSTALL) --require-hashes -r requirements-node.lock
 	npm ci --ignore-scripts --no-audit --no-fund
 	@touch $@
 
