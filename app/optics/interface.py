@@ -64,7 +64,7 @@ class Interface:
 
     @cached_property
     def eta_minus_1(self) -> Array:
-        """eta - 1 from the difference of the indices, which is exact where eta is near 1."""
+        """Eta - 1 from the difference of the indices, which is exact where eta is near 1."""
         return np.asarray((self.n_t - self.n_i) / self.n_i)
 
     @property

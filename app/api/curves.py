@@ -1,0 +1,154 @@
+"""`/curves`: reflectance over the angle of incidence, of any models."""
+
+# No `from __future__ import annotations` here: the query's type is made from the registry at run
+# time, and FastAPI could not look up its name.
+
+from collections.abc import Iterator
+from typing import Annotated, Any, NamedTuple
+
+import numpy as np
+from fastapi import APIRouter, Query, Request
+from pydantic import Field
+from starlette.concurrency import run_in_threadpool
+from starlette.responses import Response
+
+from app.api.params import (
+    InterfaceQuery,
+    ModelsParameter,
+    SamplesQuery,
+    TableQuery,
+    model_arguments,
+    parse_models,
+    refuse_foreign_parameters,
+    with_model_parameters,
+)
+from app.api.responses import CONVENTION, csv_response, interface_json, json_response
+from app.api.schemas import CurvesOut
+from app.optics.amplitudes import Complex, amplitudes, power
+from app.optics.angles import brewster_deg, critical_deg, pseudo_brewster_deg
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Model, Registry
+from app.optics.snell import penetration_depth_wavelengths, refraction_angle_deg
+
+# Above this many values a curve is computed in a thread, so that other requests are answered
+# meanwhile; below it the hand-over would cost more than the curve.
+_INLINE_VALUES = 20_000
+
+
+class CurvesQuery(InterfaceQuery, SamplesQuery, TableQuery):
+    """Curves over the angle of incidence."""
+
+    models: ModelsParameter = "exact"
+    phase: bool = Field(False, description="Add phase_s_deg and phase_p_deg of `exact`.")
+    refraction: bool = Field(
+        False, description="Add theta_t_deg and penetration_depth_wavelengths of `exact`."
+    )
+
+
+class Curve(NamedTuple):
+    """One quantity of one model over the angles."""
+
+    model: str
+    quantity: str
+    values: Array
+    reason: str | None
+
+
+def sampled_angles(interface: Interface, samples: int, landmarks: bool) -> Array:
+    """Equally spaced angles from 0 to 90 degrees, with the landmarks sorted in if asked for."""
+    angles = np.linspace(0.0, 90.0, samples)
+    if not landmarks:
+        return angles
+    marks = np.array(
+        [
+            float(brewster_deg(interface)),
+            float(critical_deg(interface)),
+            float(pseudo_brewster_deg(interface)),
+        ]
+    )
+    return np.unique(np.concatenate([angles, marks[np.isfinite(marks)]]))
+
+
+def _phase_deg(amplitude: Complex) -> Array:
+    return np.degrees(np.angle(amplitude + 0.0))  # + 0 turns -0 into 0: the phase is 180, not -180
+
+
+def exact_curves(
+    interface: Interface, incidence: Incidence, phase: bool, refraction: bool
+) -> Iterator[tuple[str, Array]]:
+    """Yield the quantities that only the exact solution has, R first."""
+    energy = power(interface, incidence)
+    yield "R", energy.R
+    yield "Rs", energy.Rs
+    yield "Rp", energy.Rp
+    yield "T", energy.T
+    if phase:
+        amplitude = amplitudes(interface, incidence)
+        yield "phase_s_deg", _phase_deg(amplitude.r_s)
+        yield "phase_p_deg", _phase_deg(amplitude.r_p)
+    if refraction:
+        yield "theta_t_deg", refraction_angle_deg(interface, incidence)
+        yield (
+            "penetration_depth_wavelengths",
+            penetration_depth_wavelengths(interface, incidence),
+        )
+
+
+def router(registry: Registry) -> APIRouter:
+    """Routes over the models of `registry`."""
+    routes = APIRouter(tags=["optics"])
+    Query_ = with_model_parameters(CurvesQuery, registry)
+
+    def compute(query: CurvesQuery, models: list[Model], interface: Interface) -> Any:
+        theta_i_deg = sampled_angles(interface, query.samples, query.landmarks)
+        incidence = Incidence.from_degrees(theta_i_deg)
+        curves: list[Curve] = []
+        for model in models:
+            reason = model.reason_outside(interface)
+            if model.id == "exact":
+                quantities = exact_curves(interface, incidence, query.phase, query.refraction)
+                curves += [Curve(model.id, name, values, reason) for name, values in quantities]
+            else:
+                values = model(interface, incidence, **model_arguments(query, model))
+                curves.append(Curve(model.id, "R", np.ascontiguousarray(values), reason))
+        return theta_i_deg, curves
+
+    @routes.get("/curves", response_model=CurvesOut, summary="Reflectance over the angle")
+    async def curves(request: Request, query: Annotated[Query_, Query()]) -> Response:  # type: ignore[valid-type]
+        return await answer(request, query)
+
+    async def answer(request: Request, query: CurvesQuery) -> Response:
+        models = parse_models(query.models, registry)
+        refuse_foreign_parameters(query, models, registry)
+        interface = query.interface()
+        if query.samples * len(models) > _INLINE_VALUES:
+            return await run_in_threadpool(respond, request, query, models, interface)
+        return respond(request, query, models, interface)
+
+    def respond(
+        request: Request, query: CurvesQuery, models: list[Model], interface: Interface
+    ) -> Response:
+        theta_i_deg, curves = compute(query, models, interface)
+        if query.format == "csv":
+            columns = {f"{c.model}.{c.quantity}": c.values for c in curves}
+            return csv_response(request, {"theta_i_deg": theta_i_deg} | columns, query.digits)
+        payload = {
+            "interface": interface_json(interface),
+            "convention": CONVENTION,
+            "theta_i_deg": theta_i_deg,
+            "curves": [
+                {
+                    "model": c.model,
+                    "quantity": c.quantity,
+                    "values": c.values,
+                    "in_domain": c.reason is None,
+                    "reason": c.reason,
+                }
+                for c in curves
+            ],
+        }
+        return json_response(request, payload, query.digits)
+
+    return routes

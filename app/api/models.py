@@ -1,0 +1,55 @@
+"""`/models`, `/models/{id}` and `/parameters`: what is registered and declared."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Any
+
+from fastapi import APIRouter, Request
+from starlette.responses import Response
+
+from app.api.problems import MissingResource
+from app.api.responses import json_response
+from app.api.schemas import ModelOut, ModelsOut, ParametersOut
+from app.optics.errors import UnknownModel
+from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG
+from app.optics.registry import Model, Registry
+
+
+def describe(model: Model) -> dict[str, Any]:
+    """Turn a model into what the API says of it."""
+    return {
+        "id": model.id,
+        "title": model.title,
+        "kind": model.kind,
+        "applies_to": list(model.applies_to),
+        "parameters": [asdict(parameter) for parameter in model.parameters],
+        "latex": model.latex,
+        "reference": model.reference,
+        "validity": model.validity,
+        "cost": asdict(model.cost),
+    }
+
+
+def router(registry: Registry) -> APIRouter:
+    """Routes over the models of `registry`."""
+    routes = APIRouter(tags=["models"])
+
+    @routes.get("/models", response_model=ModelsOut, summary="All models")
+    async def models(request: Request) -> Response:
+        return json_response(request, {"models": [describe(m) for m in registry.values()]})
+
+    @routes.get("/models/{model_id}", response_model=ModelOut, summary="One model")
+    async def model(request: Request, model_id: str) -> Response:
+        try:
+            found = registry.find(model_id, "model_id")
+        except UnknownModel as error:
+            raise MissingResource(error) from None
+        return json_response(request, describe(found))
+
+    @routes.get("/parameters", response_model=ParametersOut, summary="Parameters and bounds")
+    async def parameters(request: Request) -> Response:
+        declared = [asdict(parameter) for parameter in (N_I, N_T, K_T, THETA_I_DEG)]
+        return json_response(request, {"parameters": declared})
+
+    return routes

@@ -1,0 +1,190 @@
+"""Query parameters: pydantic models made from the core's declarations, and what is refused."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import Annotated, Any, Literal
+
+from fastapi import Request
+from fastapi.routing import APIRoute
+from pydantic import BaseModel, ConfigDict, Field, create_model
+
+from app.api.problems import BadParameters, ParameterError, unknown_parameter
+from app.optics.errors import NotAllowed
+from app.optics.interface import Interface
+from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, Parameter
+from app.optics.registry import Model, Registry
+
+MAX_SAMPLES = 20001
+
+
+def number(parameter: Parameter, **options: Any) -> Any:
+    """Pydantic field of a declared parameter: its default, bounds, unit and description."""
+    return Field(
+        parameter.default,
+        ge=parameter.minimum,
+        le=parameter.maximum,
+        allow_inf_nan=False,
+        description=parameter.description,
+        json_schema_extra={"unit": parameter.unit, "symbol": parameter.symbol},
+        **options,
+    )
+
+
+class QueryModel(BaseModel):
+    """Base of all queries; unknown and repeated names are refused by `declared_only`."""
+
+    model_config = ConfigDict(frozen=True, validate_default=False)
+
+
+class InterfaceQuery(QueryModel):
+    """The two media."""
+
+    n_i: float = number(N_I, examples=[1.0])
+    n_t: float = number(N_T, examples=[1.5])
+    k_t: float = number(K_T, examples=[0.0])
+
+    def interface(self) -> Interface:
+        """Build the interface the query describes."""
+        return Interface(self.n_i, self.n_t, self.k_t)
+
+
+class DigitsQuery(QueryModel):
+    """How numbers are sent."""
+
+    digits: int = Field(17, ge=3, le=17, description="Significant digits of the numbers sent.")
+
+
+class AngleQuery(QueryModel):
+    """One angle of incidence."""
+
+    theta_i_deg: float = number(THETA_I_DEG, examples=[64.0])
+
+
+class TableQuery(DigitsQuery):
+    """How an answer that is a table is sent."""
+
+    format: Literal["json", "csv"] = Field("json", description="JSON, or CSV with a header row.")
+
+
+class SamplesQuery(QueryModel):
+    """Which angles a curve is sampled at."""
+
+    samples: int = Field(
+        181,
+        ge=2,
+        le=MAX_SAMPLES,
+        description="Equally spaced angles from 0 to 90 degrees, both ends included.",
+    )
+    landmarks: bool = Field(
+        False,
+        description="Add Brewster's, the critical and the pseudo-Brewster angle to the samples.",
+    )
+
+
+ModelsParameter = Annotated[
+    str,
+    Field(
+        description="Comma-separated ids of models, as listed at /models.",
+        examples=["exact,schlick"],
+    ),
+]
+
+
+def parse_models(text: str, registry: Registry) -> list[Model]:
+    """Look up comma-separated model ids.
+
+    Raises
+    ------
+    UnknownModel
+        If an id is not registered, naming the nearest.
+    NotAllowed
+        If an id is given twice.
+    """
+    ids = [part.strip() for part in text.split(",")]
+    models = [registry.find(model_id) for model_id in ids]
+    repeated = [model_id for model_id, count in Counter(ids).items() if count > 1]
+    if repeated:
+        raise NotAllowed("models", text, f"each model once; {repeated[0]} is there twice")
+    return models
+
+
+def with_model_parameters(base: type[QueryModel], registry: Registry) -> type[QueryModel]:
+    """Extend a query by every registered model's parameters, spelled `<model>.<parameter>`."""
+    fields: dict[str, Any] = {
+        f"{model.id}__{parameter.name}": (
+            float if parameter.default is not None else float | None,
+            number(parameter, alias=f"{model.id}.{parameter.name}"),
+        )
+        for model in registry.values()
+        for parameter in model.parameters
+    }
+    return create_model(f"{base.__name__}WithModels", __base__=base, **fields)
+
+
+def model_arguments(query: QueryModel, model: Model) -> dict[str, float | None]:
+    """Values of a model's own parameters in the query."""
+    return {p.name: getattr(query, f"{model.id}__{p.name}") for p in model.parameters}
+
+
+def refuse_foreign_parameters(
+    query: QueryModel, models: Sequence[Model], registry: Registry
+) -> None:
+    """Refuse parameters of models that were not asked for, which would otherwise be lost.
+
+    Raises
+    ------
+    BadParameters
+        If there is one.
+    """
+    asked = {model.id for model in models}
+    errors: list[ParameterError] = [
+        {
+            "parameter": f"{model.id}.{p.name}",
+            "value": getattr(query, f"{model.id}__{p.name}"),
+            "message": f"given although {model.id} is not among the models asked for",
+        }
+        for model in registry.values()
+        if model.id not in asked
+        for p in model.parameters
+        if f"{model.id}__{p.name}" in query.model_fields_set
+    ]
+    if errors:
+        raise BadParameters(*errors)
+
+
+async def declared_only(request: Request) -> None:
+    """Refuse parameters that the route does not declare and those given more than once.
+
+    Raises
+    ------
+    BadParameters
+        Naming each of them.
+    """
+    given = request.query_params.multi_items()
+    if not given:
+        return
+    known = declared_parameters(request.scope["route"])
+    errors: list[ParameterError] = [
+        unknown_parameter(name, value, known) for name, value in given if name not in known
+    ]
+    errors += [
+        {"parameter": name, "value": request.query_params.getlist(name), "message": "given twice"}
+        for name, count in Counter(name for name, _ in given).items()
+        if count > 1
+    ]
+    if errors:
+        raise BadParameters(*errors)
+
+
+def declared_parameters(route: APIRoute) -> list[str]:
+    """Names of all query parameters of a route."""
+    names: list[str] = []
+    for field in route.dependant.query_params:
+        annotation = field.field_info.annotation
+        if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+            names += [info.alias or name for name, info in annotation.model_fields.items()]
+        else:
+            names.append(field.alias)
+    return names

@@ -1,0 +1,142 @@
+"""Every error as an RFC 9457 problem, in one shape."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from difflib import get_close_matches
+from http import HTTPStatus
+from typing import Any, TypedDict
+
+import orjson
+from fastapi import FastAPI, Request
+from fastapi.exceptions import RequestValidationError
+from pydantic import BaseModel, Field
+from starlette.exceptions import HTTPException
+from starlette.responses import Response
+
+from app.optics.errors import OpticsError
+
+MEDIA_TYPE = "application/problem+json"
+
+
+class ParameterError(TypedDict):
+    """One offending parameter."""
+
+    parameter: str
+    value: object
+    message: str
+
+
+class Problem(BaseModel):
+    """An error, as RFC 9457 (application/problem+json) lays it out."""
+
+    type: str = Field(description="URI of the kind of problem; about:blank says as much as status.")
+    title: str = Field(description="The kind of problem in a few words.")
+    status: int = Field(description="HTTP status.")
+    detail: str = Field(description="What is wrong and what would be right.")
+    instance: str = Field(description="Path of the request.")
+    errors: list[dict[str, Any]] = Field(
+        description="One entry an offending parameter: {parameter, value, message}."
+    )
+
+
+def problem_response(
+    request: Request,
+    status: int,
+    detail: str,
+    errors: Sequence[ParameterError] = (),
+    headers: dict[str, str] | None = None,
+) -> Response:
+    """Build the answer for an error."""
+    body = {
+        "type": "about:blank",
+        "title": HTTPStatus(status).phrase,
+        "status": status,
+        "detail": detail,
+        "instance": request.url.path,
+        "errors": list(errors),
+    }
+    return Response(orjson.dumps(body), status, headers, MEDIA_TYPE)
+
+
+class BadParameters(Exception):
+    """Parameters that were refused by the API itself; each error names its parameter."""
+
+    def __init__(self, *errors: ParameterError) -> None:
+        super().__init__(errors)
+        self.errors = errors
+
+
+class MissingResource(Exception):
+    """A path that names nothing; the cause says what comes nearest."""
+
+    def __init__(self, cause: OpticsError) -> None:
+        super().__init__(cause)
+        self.cause = cause
+
+
+def unknown_parameter(name: str, value: object, known: Sequence[str]) -> ParameterError:
+    """Describe a parameter that the endpoint does not take, with the nearest that it does."""
+    nearest = get_close_matches(name, known, n=3, cutoff=0.5)
+    hint = f"nearest: {', '.join(nearest)}" if nearest else f"known: {', '.join(known)}"
+    return {"parameter": name, "value": value, "message": f"unknown parameter; {hint}"}
+
+
+def _problem_of(request: Request, status: int, errors: Sequence[ParameterError]) -> Response:
+    detail = "; ".join(f"{e['parameter']} = {e['value']}: {e['message']}" for e in errors)
+    return problem_response(request, status, detail, errors)
+
+
+async def _on_bad_parameters(request: Request, error: BadParameters) -> Response:
+    return _problem_of(request, 422, error.errors)
+
+
+async def _on_validation(request: Request, error: RequestValidationError) -> Response:
+    return _problem_of(
+        request,
+        422,
+        [
+            {
+                "parameter": ".".join(str(part) for part in e["loc"][1:]) or str(e["loc"][0]),
+                "value": e.get("input"),
+                "message": e["msg"],
+            }
+            for e in error.errors()
+        ],
+    )
+
+
+def _optics_error(error: OpticsError) -> ParameterError:
+    return {"parameter": error.parameter, "value": str(error.value), "message": error.allowed}
+
+
+async def _on_optics(request: Request, error: OpticsError) -> Response:
+    return _problem_of(request, 422, [_optics_error(error)])
+
+
+async def _on_missing(request: Request, error: MissingResource) -> Response:
+    return _problem_of(request, 404, [_optics_error(error.cause)])
+
+
+async def _on_http(request: Request, error: HTTPException) -> Response:
+    headers = dict(error.headers) if error.headers else None
+    detail = error.detail
+    if error.status_code == 404 and detail == HTTPStatus.NOT_FOUND.phrase:
+        detail = f"nothing is at {request.url.path}; the API is described at /docs"
+    if error.status_code == 405:
+        detail = f"{request.method} is not answered at {request.url.path}"
+    return problem_response(request, error.status_code, detail, headers=headers)
+
+
+async def _on_crash(request: Request, _: Exception) -> Response:
+    return problem_response(request, 500, "the server failed; the fault was logged")
+
+
+def install(app: FastAPI) -> None:
+    """Answer every error of `app` as a problem."""
+    app.exception_handler(BadParameters)(_on_bad_parameters)
+    app.exception_handler(RequestValidationError)(_on_validation)
+    app.exception_handler(OpticsError)(_on_optics)
+    app.exception_handler(MissingResource)(_on_missing)
+    app.exception_handler(HTTPException)(_on_http)
+    app.exception_handler(Exception)(_on_crash)

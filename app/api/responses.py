@@ -1,0 +1,154 @@
+"""Answers as ready bytes: JSON by orjson, CSV, compression, ETag and 304."""
+
+from __future__ import annotations
+
+import gzip
+from collections.abc import Mapping
+from hashlib import blake2b
+from typing import Any
+
+import numpy as np
+import orjson
+import zstandard
+from fastapi import Request
+from starlette.responses import Response
+
+from app.optics.angles import brewster_deg, critical_deg, pseudo_brewster_deg
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+
+CONVENTION = (
+    "time factor exp(-i w t); N = n_t + i k_t with k_t >= 0; r_p = -r_s at normal incidence; "
+    "angles from the surface normal; T = 1 - R is the power that enters the second medium"
+)
+
+_SMALLEST_COMPRESSED = 1024
+# 10^22 is the largest power of ten that is a double.
+_LARGEST_EXACT_POWER = 22
+
+
+def round_significant(values: Array, digits: int) -> Array:
+    """Round to `digits` significant digits, to the very double that those digits spell."""
+    if digits >= 17:
+        return values
+    magnitude = np.abs(values)
+    ordinary = np.isfinite(values) & (magnitude > 0.0)
+    power = digits - 1 - np.floor(np.log10(magnitude, where=ordinary, out=np.zeros_like(values)))
+    scalable = ordinary & (np.abs(power) <= _LARGEST_EXACT_POWER)
+    scale = 10.0 ** np.where(scalable, np.abs(power), 0.0)
+    up = power >= 0.0
+    rounded = np.where(up, np.round(values * scale) / scale, np.round(values / scale) * scale)
+    result = np.where(scalable, rounded, values)
+    for index in zip(*np.nonzero(ordinary & ~scalable), strict=True):  # tinier than 1e-6 or so
+        result[index] = float(f"{values[index]:.{digits}g}")
+    return np.asarray(result)
+
+
+def rounded(payload: Any, digits: int) -> Any:
+    """Round every float and every float array inside `payload`."""
+    if digits >= 17:
+        return payload
+    if isinstance(payload, Mapping):
+        return {key: rounded(value, digits) for key, value in payload.items()}
+    if isinstance(payload, list | tuple):
+        return [rounded(value, digits) for value in payload]
+    if isinstance(payload, np.ndarray) and payload.dtype.kind == "f":
+        return round_significant(payload, digits)
+    if isinstance(payload, float):
+        return float(f"{payload:.{digits}g}")
+    return payload
+
+
+def number_or_null(value: Array) -> float | None:
+    """Turn a zero-dimensional array into a float, NaN into None."""
+    number = float(value)
+    return None if np.isnan(number) else number
+
+
+def interface_json(interface: Interface) -> dict[str, Any]:
+    """Describe an interface as every answer does."""
+    return {
+        "n_i": float(interface.n_i),
+        "n_t": float(interface.n_t),
+        "k_t": float(interface.k_t),
+        "eta": float(interface.eta),
+        "kappa": float(interface.kappa),
+        "kind": interface.kind,
+        "F0": float(interface.F0),
+        "F82": float(interface.F82),
+        "brewster_deg": number_or_null(brewster_deg(interface)),
+        "critical_deg": number_or_null(critical_deg(interface)),
+        "pseudo_brewster_deg": number_or_null(pseudo_brewster_deg(interface)),
+    }
+
+
+def json_response(request: Request, payload: Any, digits: int = 17) -> Response:
+    """Answer with JSON; arrays are written by orjson without a Python loop, NaN as null."""
+    body = orjson.dumps(rounded(payload, digits), option=orjson.OPT_SERIALIZE_NUMPY)
+    return body_response(request, body, "application/json")
+
+
+def csv_response(
+    request: Request, columns: Mapping[str, Array], digits: int = 17, filename: str = "fresnel.csv"
+) -> Response:
+    """Answer with CSV: a header row, then one row an index; NaN is an empty field."""
+    table = np.ascontiguousarray(
+        np.column_stack([round_significant(column, digits) for column in columns.values()])
+    )
+    # orjson writes the shortest digits that round-trip, faster than any loop over repr().
+    rows = orjson.dumps(table, option=orjson.OPT_SERIALIZE_NUMPY)[2:-2]
+    body = (
+        ",".join(columns).encode()
+        + b"\r\n"
+        + rows.replace(b"],[", b"\r\n").replace(b"null", b"")
+        + b"\r\n"
+    )
+    disposition = {"Content-Disposition": f'inline; filename="{filename}"'}
+    return body_response(request, body, "text/csv; charset=utf-8", disposition)
+
+
+def body_response(
+    request: Request, body: bytes, media_type: str, headers: Mapping[str, str] | None = None
+) -> Response:
+    """Answer with ready bytes: ETag from the content, 304 where the client has it, compressed."""
+    etag = f'W/"{blake2b(body, digest_size=12).hexdigest()}"'
+    common = {
+        **(headers or {}),
+        "ETag": etag,
+        "Cache-Control": f"public, max-age={request.app.state.settings.max_age_s}",
+        "Vary": "Accept-Encoding",
+    }
+    if _has_copy(request, etag):
+        return Response(status_code=304, headers=common)
+    encoding = _encoding(request) if len(body) >= _SMALLEST_COMPRESSED else None
+    if encoding == "zstd":
+        body = zstandard.compress(body, level=1)
+    elif encoding == "gzip":
+        body = gzip.compress(body, compresslevel=1, mtime=0)
+    if encoding:
+        common["Content-Encoding"] = encoding
+    return Response(body, headers=common, media_type=media_type)
+
+
+def _has_copy(request: Request, etag: str) -> bool:
+    """Whether If-None-Match names this content (weak comparison, RFC 9110 section 13.1.2)."""
+    held = request.headers.get("if-none-match")
+    if held is None:
+        return False
+    tags = {tag.strip().removeprefix("W/") for tag in held.split(",")}
+    return "*" in tags or etag.removeprefix("W/") in tags
+
+
+def _encoding(request: Request) -> str | None:
+    """Choose the best compression the client asks for (RFC 9110 section 12.5.3)."""
+    accepted: dict[str, float] = {}
+    for part in request.headers.get("accept-encoding", "").lower().split(","):
+        coding, _, quality = part.partition(";")
+        try:
+            accepted[coding.strip()] = float(quality.partition("=")[2] or 1.0)
+        except ValueError:
+            continue  # a malformed weight asks for nothing
+    for coding in ("zstd", "gzip"):
+        if accepted.get(coding, accepted.get("*", 0.0)) > 0.0:
+            return coding
+    return None

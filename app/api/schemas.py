@@ -1,0 +1,122 @@
+"""Shapes of the answers, for OpenAPI; the answers themselves are written as ready bytes."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import BaseModel, Field
+
+
+class InterfaceOut(BaseModel):
+    """The interface an answer was computed for, with everything derived from it."""
+
+    n_i: float
+    n_t: float
+    k_t: float
+    eta: float = Field(description="n_t / n_i")
+    kappa: float = Field(description="k_t / n_i")
+    kind: Literal["dielectric", "conductor"]
+    F0: float = Field(description="Reflectance at normal incidence.")
+    F82: float = Field(description="Exact reflectance at cos(theta_i) = 1/7.")
+    brewster_deg: float | None = Field(description="Angle where Rp = 0; null in absorbers.")
+    critical_deg: float | None = Field(description="Angle of total reflection; null if none.")
+    pseudo_brewster_deg: float = Field(description="Angle of least Rp.")
+
+
+class ComplexOut(BaseModel):
+    """A complex amplitude."""
+
+    re: float
+    im: float
+    abs: float
+    phase_deg: float = Field(description="Argument in degrees, -180 to 180.")
+
+
+class SnellOut(BaseModel):
+    """One ray at the surface y = 0 with normal +y, coming from the upper left."""
+
+    interface: InterfaceOut
+    convention: str
+    theta_i_deg: float
+    theta_t_deg: float | None = Field(description="Null at total internal reflection.")
+    total_internal_reflection: bool
+    reflected: list[float] = Field(description="Unit vector [x, y].")
+    refracted: list[float] | None = Field(description="Unit vector [x, y], or null.")
+    r_s: ComplexOut
+    r_p: ComplexOut
+    t_s: ComplexOut
+    t_p: ComplexOut
+    Rs: float
+    Rp: float
+    R: float
+    Ts: float
+    Tp: float
+    T: float
+    penetration_depth_wavelengths: float | None = Field(
+        description="Depth of 1/e of the power in vacuum wavelengths; null if undamped."
+    )
+
+
+class CurveOut(BaseModel):
+    """One quantity of one model over the angles."""
+
+    model: str
+    quantity: str
+    values: list[float | None] = Field(description="Null where the model is undefined.")
+    in_domain: bool
+    reason: str | None = Field(description="Why the interface is outside the model's domain.")
+
+
+class CurvesOut(BaseModel):
+    """Curves over the angle of incidence."""
+
+    interface: InterfaceOut
+    convention: str
+    theta_i_deg: list[float]
+    curves: list[CurveOut]
+
+
+class ParameterOut(BaseModel):
+    """A declared parameter with its bounds."""
+
+    name: str
+    symbol: str = Field(description="LaTeX")
+    default: float | None = Field(description="Null where it is solved from the interface.")
+    minimum: float
+    maximum: float
+    unit: str
+    description: str
+
+
+class ModelOut(BaseModel):
+    """A registered model."""
+
+    id: str
+    title: str
+    kind: Literal["exact", "approximation"]
+    applies_to: list[Literal["dielectric", "conductor"]]
+    parameters: list[ParameterOut]
+    latex: str
+    reference: str
+    validity: str
+    cost: dict[str, int] = Field(description="Operations of one evaluation.")
+
+
+class ModelsOut(BaseModel):
+    """All registered models."""
+
+    models: list[ModelOut]
+
+
+class ParametersOut(BaseModel):
+    """The parameters common to all endpoints."""
+
+    parameters: list[ParameterOut]
+
+
+class HealthOut(BaseModel):
+    """Whether the server works, and what it is made of."""
+
+    status: Literal["ok"]
+    version: str
+    libraries: dict[str, str]

@@ -1,0 +1,53 @@
+"""The command `fresnel-explorer`."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+import uvicorn
+
+from app import __version__
+from app.main import create_app
+from app.settings import Settings
+
+cli = typer.Typer(
+    add_completion=True,
+    no_args_is_help=False,
+    help="Reflection at smooth surfaces: the page, its REST API and the API's queries.",
+)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(__version__)
+        raise typer.Exit
+
+
+@cli.callback(invoke_without_command=True)
+def default(
+    context: typer.Context,
+    version: Annotated[  # noqa: ARG001 - typer hands it to the callback
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print it.")
+    ] = False,
+) -> None:
+    """Serve the page and the API, unless a command says otherwise."""
+    if context.invoked_subcommand is None:
+        serve()
+
+
+@cli.command()
+def serve(
+    host: Annotated[str | None, typer.Option(help="Address, FRESNEL_HOST otherwise.")] = None,
+    port: Annotated[int | None, typer.Option(help="Port, FRESNEL_PORT otherwise.")] = None,
+) -> None:
+    """Serve the page and the API until interrupted."""
+    given = {"host": host, "port": port}
+    settings = Settings.model_validate({k: v for k, v in given.items() if v is not None})
+    typer.echo(f"Fresnel Explorer {__version__} at http://{settings.host}:{settings.port}")
+    uvicorn.run(create_app(settings), host=settings.host, port=settings.port, log_level="warning")
+
+
+def main() -> None:
+    """Run the command."""
+    cli()

@@ -1,0 +1,70 @@
+"""The application: settings, routers, problem handlers, the page."""
+
+from __future__ import annotations
+
+from fastapi import APIRouter, Depends, FastAPI
+from fastapi.middleware.cors import CORSMiddleware
+
+from app import __version__
+from app.api import curves, health, materials, models, problems, snell
+from app.api.params import declared_only
+from app.optics.registry import Registry, default_registry
+from app.page import Page, SecurityHeaders
+from app.settings import Settings
+
+API_PREFIX = "/api/v1"
+
+_DESCRIPTION = """
+Reflection at smooth surfaces: exact Fresnel curves for dielectrics and conductors, the formulas
+that renderers use in their place, and what each of them gets wrong.
+
+Conventions: time factor exp(-i w t), N = n_t + i k_t with k_t >= 0, angles from the surface normal.
+Every error is an `application/problem+json` (RFC 9457) that names the parameter, the value and what
+is allowed; nothing is clamped, guessed or ignored.
+"""
+
+
+def create_app(settings: Settings | None = None, registry: Registry | None = None) -> FastAPI:
+    """Build the application.
+
+    Parameters
+    ----------
+    settings
+        Read from the environment if not given.
+    registry
+        The models to serve; every one in `app.optics.models` if not given.
+    """
+    settings = settings or Settings()
+    registry = registry or default_registry()
+    app = FastAPI(
+        title="Fresnel Explorer",
+        version=__version__,
+        description=_DESCRIPTION,
+        license_info={"name": "MIT", "identifier": "MIT"},
+        docs_url=None,  # the page at /docs is served with the other files, from this server alone
+        redoc_url=None,
+        responses={
+            "4XX": {
+                "description": "What is wrong with the request, and what would be right.",
+                "model": problems.Problem,
+                "content": {problems.MEDIA_TYPE: {}},
+            }
+        },
+    )
+    app.state.settings = settings
+    problems.install(app)
+    app.add_middleware(
+        CORSMiddleware, allow_origins=["*"], allow_methods=["GET"], expose_headers=["ETag"]
+    )
+    app.add_middleware(SecurityHeaders)
+    routers: list[APIRouter] = [
+        health.router(),
+        models.router(registry),
+        snell.router(),
+        curves.router(registry),
+        materials.router(),
+    ]
+    for router in routers:
+        app.include_router(router, prefix=API_PREFIX, dependencies=[Depends(declared_only)])
+    app.mount("/", Page(settings.static_dir), name="page")
+    return app

@@ -1,0 +1,147 @@
+"""Snell's law: the refraction angle, reflected and refracted directions, the penetration depth."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from app.optics.amplitudes import wave
+from app.optics.errors import NotAllowed
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import N_I, N_T, Array
+
+_UNIT_TOLERANCE = 1e-6
+
+
+def is_totally_reflected(interface: Interface, incidence: Incidence) -> NDArray[np.bool_]:
+    """Where no wave travels on: q is imaginary, sin(theta_i) > eta without absorption."""
+    q = wave(interface, incidence)
+    return np.asarray((interface.kappa == 0.0) & (q.a == 0.0) & (q.b > 0.0))
+
+
+def refraction_angle_deg(interface: Interface, incidence: Incidence) -> Array:
+    r"""Real angle of refraction, :math:`\theta_t = \arctan(\sin\theta_i / \mathrm{Re}\,q)`.
+
+    In an absorber the planes of constant phase make this angle with the surface, while those of
+    constant amplitude stay parallel to it (the wave is inhomogeneous).
+
+    Returns
+    -------
+    Array
+        Degrees, 0 to 90, of the broadcast shape; NaN at total internal reflection.
+    """
+    q = wave(interface, incidence)
+    angle = np.degrees(np.arctan2(incidence.sin, q.a))
+    return np.where(is_totally_reflected(interface, incidence), np.nan, angle)
+
+
+def penetration_depth_wavelengths(interface: Interface, incidence: Incidence) -> Array:
+    r"""Depth at which the power has fallen to 1/e, :math:`1/(2\,\mathrm{Im}\,k_z)`.
+
+    Returns
+    -------
+    Array
+        In vacuum wavelengths, 1 / (4 pi n_i Im q), of the broadcast shape; NaN where the wave
+        travels on undamped.
+    """
+    b = wave(interface, incidence).b
+    depth = np.full(np.broadcast_shapes(b.shape, interface.n_i.shape), np.nan)
+    np.divide(1.0, 4.0 * np.pi * interface.n_i * b, out=depth, where=b > 0.0)
+    return depth
+
+
+def reflect(incident: ArrayLike, normal: ArrayLike) -> Array:
+    """Mirror a direction at a surface, i - 2 (i . n) n.
+
+    Parameters
+    ----------
+    incident
+        Unit vectors pointing toward the surface, shape (..., 2) or (..., 3).
+    normal
+        Unit normals on the incident side, broadcasting against `incident`.
+
+    Returns
+    -------
+    Array
+        Unit vectors pointing away from the surface.
+
+    Raises
+    ------
+    NotAllowed
+        If a vector is no unit vector of two or three components, or comes from behind.
+    """
+    i, n, cos_i = _unit_pair(incident, normal)
+    return np.asarray(i + 2.0 * cos_i * n)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Refraction:
+    """Refracted directions, and where there is one at all.
+
+    Attributes
+    ----------
+    direction
+        Unit vectors; zero where `exists` is false.
+    exists
+        False beyond the critical angle.
+    """
+
+    direction: Array
+    exists: NDArray[np.bool_]
+
+
+def refract(incident: ArrayLike, normal: ArrayLike, n_i: ArrayLike, n_t: ArrayLike) -> Refraction:
+    """Refract a direction by Snell's law in vector form.
+
+    Parameters
+    ----------
+    incident, normal
+        As for `reflect`.
+    n_i, n_t
+        Real indices on the incident and the far side, broadcasting against the vectors' leading
+        axes.
+
+    Returns
+    -------
+    Refraction
+        The directions beyond the surface; never NaN.
+
+    Raises
+    ------
+    NotAllowed
+        If a vector is no unit vector of two or three components, or comes from behind.
+    OutOfRange
+        If an index is out of bounds.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> ray = refract([np.sin(1.0), -np.cos(1.0)], [0.0, 1.0], 1.0, 1.5)
+    >>> bool(np.isclose(ray.direction[0], np.sin(1.0) / 1.5))
+    True
+    """
+    i, n, cos_i = _unit_pair(incident, normal)
+    ratio = (N_I.check(n_i) / N_T.check(n_t))[..., np.newaxis]
+    tangential = ratio * (i + cos_i * n)
+    cos2_t = 1.0 - np.sum(tangential * tangential, axis=-1, keepdims=True)
+    exists = cos2_t >= 0.0
+    direction = tangential - np.sqrt(np.maximum(cos2_t, 0.0)) * n
+    return Refraction(np.where(exists, direction, 0.0), exists[..., 0])
+
+
+def _unit_pair(incident: ArrayLike, normal: ArrayLike) -> tuple[Array, Array, Array]:
+    """Check the vectors and return them with cos(theta_i) = -i . n on a trailing axis."""
+    i, n = np.asarray(incident, dtype=np.float64), np.asarray(normal, dtype=np.float64)
+    for name, vector in (("incident", i), ("normal", n)):
+        if vector.ndim == 0 or vector.shape[-1] not in (2, 3) or vector.shape[-1] != n.shape[-1]:
+            raise NotAllowed(name, vector.tolist(), "vectors of two or of three components")
+        length = np.sqrt(np.sum(vector * vector, axis=-1))
+        if not np.all(np.abs(length - 1.0) <= _UNIT_TOLERANCE):
+            raise NotAllowed(name, vector.tolist(), "unit vectors")
+    cos_i = -np.sum(i * n, axis=-1, keepdims=True)
+    if not np.all(cos_i >= 0.0):
+        raise NotAllowed("incident", i.tolist(), "a direction toward the surface, i . n <= 0")
+    return i, n, cos_i

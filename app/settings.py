@@ -1,0 +1,27 @@
+"""Settings, each an environment variable that starts with FRESNEL_."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from pydantic import Field
+from pydantic_settings import BaseSettings, SettingsConfigDict
+
+
+def _static_dir() -> Path:
+    """The page's files: inside the installed package, or beside it in a checkout."""
+    here = Path(__file__).parent
+    return next(path for path in (here / "static", here.parent / "static") if path.is_dir())
+
+
+class Settings(BaseSettings):
+    """What an operator may change without touching the code."""
+
+    model_config = SettingsConfigDict(env_prefix="FRESNEL_", extra="ignore", frozen=True)
+
+    host: str = Field("127.0.0.1", description="Address to listen on.")
+    port: int = Field(8000, ge=0, le=65535, description="Port to listen on; 0 takes a free one.")
+    static_dir: Path = Field(default_factory=_static_dir, description="Folder of the page's files.")
+    max_age_s: int = Field(
+        3600, ge=0, description="How long caches may keep an answer of the API, in seconds."
+    )
