@@ -1,0 +1,112 @@
+/** How a plot is laid out on its area: margins, frame, ranges, ticks, and values to pixels. */
+
+import { axisTicks, roundRange } from "./ticks.js";
+
+/** @typedef {import("./model.js").Trace} Trace */
+/** @typedef {import("./model.js").Axis} Axis */
+/** @typedef {import("./model.js").Size} Size */
+/** @typedef {import("./model.js").Tick} Tick */
+/** @typedef {{x: Axis, y: Axis, y2: Axis | null}} Axes */
+/** @typedef {[number, number]} Range */
+
+/**
+ * @typedef {object} Arrangement
+ * @property {Size} size
+ * @property {import("./model.js").Margins} margins
+ * @property {import("../draw/boxes.js").Box} frame where curves are drawn
+ * @property {{x: Range, y: Range, y2: Range | null}} ranges of the axes as drawn
+ * @property {{x: Tick[], y: Tick[], y2: Tick[]}} ticks
+ * @property {number} fontSize
+ * @property {boolean} marksRow whether room is kept above the frame for the names of marks
+ * @property {(value: number) => number} xPixel
+ * @property {(value: number, axis?: "y" | "y2") => number} yPixel
+ * @property {(pixel: number) => number} xValue
+ */
+
+/** A line at the very end of a range would lose half its width to the frame's edge. */
+const EDGE = 3;
+const X_SPACING = 40;
+const Y_SPACING = 44;
+
+/**
+ * @param {Axis} axis
+ * @param {readonly Trace[]} traces
+ * @returns {Range}
+ */
+export function axisRange(axis, traces) {
+  const [low, high] = axis.range ?? roundRange(traces.map((trace) => trace.y));
+  return [low ?? 0, high ?? 1];
+}
+
+/**
+ * @param {Range} range
+ * @param {number} length px
+ * @returns {Range}
+ */
+function padded([low, high], length) {
+  const more = ((high - low) / Math.max(length - 2 * EDGE, 1)) * EDGE;
+  return [low - more, high + more];
+}
+
+/**
+ * @param {object} task
+ * @param {Size} task.size
+ * @param {Axes} task.axes
+ * @param {readonly Trace[]} task.traces
+ * @param {(label: string) => number} task.measure width of a tick's label
+ * @param {boolean} task.marksRow
+ * @param {number} [task.header] room for a title above all
+ * @returns {Arrangement}
+ */
+export function arrange({ size, axes, traces, measure, marksRow, header = 0 }) {
+  const narrow = size.width < 420;
+  const fontSize = narrow ? 11 : 12;
+  const second = traces.some((trace) => trace.axis === "y2") ? axes.y2 : null;
+  const top = header + (marksRow ? 44 : 28);
+  const bottom = axes.x.title ? 46 : 26;
+  const height = Math.max(size.height - top - bottom, 20);
+
+  const yRange = axisRange(
+    axes.y,
+    traces.filter((trace) => trace.axis !== "y2"),
+  );
+  const y2Range =
+    second &&
+    axisRange(
+      second,
+      traces.filter((trace) => trace.axis === "y2"),
+    );
+  const yTicks = axisTicks(axes.y, yRange, height, Math.min(Y_SPACING, Math.max(26, height / 6)));
+  const y2Ticks = second && y2Range ? axisTicks(second, y2Range, height, Y_SPACING) : [];
+  /** @param {Tick[]} ticks */
+  const widest = (ticks) => Math.max(0, ...ticks.map((tick) => measure(tick.label)));
+  const left = Math.ceil(widest(yTicks)) + 12;
+  const right = second ? Math.ceil(widest(y2Ticks)) + 14 : 18;
+  const width = Math.max(size.width - left - right, 20);
+  const xRange = axisRange(axes.x, []);
+  const xTicks = axisTicks(axes.x, xRange, width, narrow ? X_SPACING - 6 : X_SPACING);
+
+  const frame = { x: left, y: top, width, height };
+  const ranges = {
+    x: xRange,
+    y: padded(yRange, height),
+    y2: y2Range && padded(y2Range, height),
+  };
+  return {
+    size,
+    margins: { left, right, top, bottom },
+    frame,
+    ranges,
+    ticks: { x: xTicks, y: yTicks, y2: y2Ticks },
+    fontSize,
+    marksRow,
+    xPixel: (value) =>
+      frame.x + ((value - ranges.x[0]) / (ranges.x[1] - ranges.x[0])) * frame.width,
+    yPixel: (value, axis = "y") => {
+      const [low, high] = (axis === "y2" && ranges.y2) || ranges.y;
+      return frame.y + ((high - value) / (high - low)) * frame.height;
+    },
+    xValue: (pixel) =>
+      ranges.x[0] + ((pixel - frame.x) / frame.width) * (ranges.x[1] - ranges.x[0]),
+  };
+}

@@ -1,0 +1,33 @@
+/**
+ * The words the plot modules share.
+ *
+ * @typedef {object} Trace
+ * @property {string} id
+ * @property {string} label may hold symbols such as `R_s`
+ * @property {number[]} x
+ * @property {(number | null)[]} y `null` is a gap
+ * @property {string} color name of a CSS custom property, such as `--Rs`
+ * @property {string} [dash] Plotly's: solid, dash, dot, dashdot, longdash, or lengths in px
+ * @property {number} [width] px
+ * @property {string} [unit] written behind a value
+ * @property {"y" | "y2"} [axis]
+ * @property {string} [column] heading in the CSV file, `id` when missing
+ *
+ * @typedef {{x: number, label: string, kind: "landmark" | "current"}} Mark
+ *
+ * @typedef {object} Axis
+ * @property {string} title
+ * @property {readonly number[] | null} [range] `null` follows the data
+ * @property {readonly (number | {value: number, label: string})[]} [ticks]
+ * @property {string} [unit] `°` is written at each tick, others belong in the title
+ * @property {string} [column] heading of x in the CSV file
+ * @property {{step: number, fine: number, page: number}} [steps] of the keyboard
+ *
+ * @typedef {{width: number, height: number}} Size
+ * @typedef {{left: number, right: number, top: number, bottom: number}} Margins
+ * @typedef {{value: number, label: string}} Tick
+ * @typedef {{id: string, y: number | null}} Point
+ * @typedef {{id: string, x: number, y: number}} PlacedLabel centre of the label in px
+ */
+
+export {};

@@ -1,0 +1,201 @@
+/**
+ * What lies over the curves and moves with the pointer: names, marks, and the marker with its dots.
+ *
+ * All of it is SVG that is made once and then only changes attributes, coloured by the page's CSS
+ * variables, so that neither a drag nor a change of theme asks Plotly for anything.
+ */
+
+import { createMeasure } from "../draw/measure.js";
+import { put, px, show, svg } from "../draw/svg.js";
+import { setLabel } from "../draw/symbols.js";
+import { placeLabels } from "./labels.js";
+import { placeMarkNames } from "./marks.js";
+
+/** @typedef {import("./model.js").Trace} Trace */
+/** @typedef {import("./model.js").Mark} Mark */
+/** @typedef {import("./layout.js").Arrangement} Arrangement */
+
+/** Above this many curves a legend names them, not labels at the curves. */
+export const MOST_LABELS = 4;
+const LABEL_SIZE = 17;
+const MARK_SIZE = 12;
+
+/**
+ * @template {SVGElement} T
+ * @param {() => T} make
+ */
+function pool(make) {
+  /** @type {T[]} */
+  const nodes = [];
+  return {
+    /** @param {number} index */
+    at: (index) => {
+      while (nodes.length <= index) nodes.push(make());
+      const node = /** @type {T} */ (nodes[index]);
+      show(node, true);
+      return node;
+    },
+    /** @param {number} count nodes from here on are not needed */
+    rest: (count) => {
+      for (const node of nodes.slice(count)) show(node, false);
+    },
+  };
+}
+
+/**
+ * @param {HTMLElement} area
+ */
+export function createOverlay(area) {
+  const root = svg("svg", { class: "plot-overlay", "aria-hidden": "true", focusable: "false" });
+  const behind = svg("g", {}, root);
+  const names = svg("g", {}, root);
+  const front = svg("g", { class: "plot-marker" }, root);
+  area.append(root);
+
+  const markLines = pool(() => svg("line", { class: "plot-mark" }, behind));
+  const markNames = pool(() => svg("text", { class: "plot-mark-name" }, behind));
+  const labels = pool(() => svg("text", { class: "plot-label" }, names));
+  const markerLine = svg("line", { class: "plot-marker-line", visibility: "hidden" }, front);
+  const dots = pool(() => svg("circle", { class: "plot-dot", r: 4.5 }, front));
+
+  /** @type {{label: import("../draw/measure.js").Measure, text: import("../draw/measure.js").Measure, mark: import("../draw/measure.js").Measure} | null} */
+  let measures = null;
+  /** @type {Map<string, import("./labels.js").Centre>} */
+  let standing = new Map();
+
+  /** @param {import("./theme.js").Theme} theme */
+  const useFaces = ({ family, symbolFamily }) => {
+    measures = {
+      label: createMeasure({ family, symbolFamily, size: 13, weight: 500, symbolSize: LABEL_SIZE }),
+      text: createMeasure({ family, symbolFamily, size: 12 }),
+      mark: createMeasure({ family, symbolFamily, size: MARK_SIZE }),
+    };
+  };
+
+  /**
+   * @param {readonly Trace[]} traces
+   * @param {Arrangement} arrangement
+   */
+  const placeNames = (traces, arrangement) => {
+    if (!measures || traces.length > MOST_LABELS) {
+      standing = new Map();
+      labels.rest(0);
+      return;
+    }
+    const { label } = measures;
+    /** @type {readonly number[] | null} */
+    let x = null;
+    /** @type {number[]} */
+    let xPixels = [];
+    standing = placeLabels({
+      frame: arrangement.frame,
+      previous: standing,
+      curves: traces.map((trace) => {
+        if (trace.x !== x) {
+          x = trace.x;
+          xPixels = trace.x.map(arrangement.xPixel);
+        }
+        return {
+          id: trace.id,
+          width: label(trace.label) + 4,
+          height: LABEL_SIZE + 2,
+          x: xPixels,
+          y: trace.y.map((value) =>
+            value === null ? null : arrangement.yPixel(value, trace.axis),
+          ),
+        };
+      }),
+    });
+    traces.forEach((trace, index) => {
+      const node = labels.at(index);
+      const place = standing.get(trace.id);
+      show(node, Boolean(place));
+      if (!place) return;
+      setLabel(node, trace.label);
+      put(node, "fill", `var(${trace.color})`);
+      put(node, "transform", `translate(${px(place.x)},${px(place.y)})`);
+    });
+    labels.rest(traces.length);
+  };
+
+  /**
+   * @param {readonly Mark[]} marks
+   * @param {Arrangement} arrangement
+   * @param {string} yTitle
+   */
+  const placeMarks = (marks, arrangement, yTitle) => {
+    const { frame, xPixel, ranges } = arrangement;
+    const inside = marks.filter(
+      (mark) => mark.kind === "landmark" && mark.x >= ranges.x[0] && mark.x <= ranges.x[1],
+    );
+    const places = measures
+      ? placeMarkNames({
+          frame,
+          reserved: measures.text(yTitle),
+          marks: inside.map((mark) => ({
+            x: xPixel(mark.x),
+            width: measures?.mark(mark.label) ?? 0,
+          })),
+        })
+      : [];
+    inside.forEach((mark, index) => {
+      const line = markLines.at(index);
+      const name = markNames.at(index);
+      const at = px(xPixel(mark.x));
+      const place = places[index];
+      put(line, "x1", at);
+      put(line, "x2", at);
+      put(line, "y1", frame.y - 4);
+      put(line, "y2", frame.y + frame.height);
+      show(name, Boolean(place));
+      if (!place) return;
+      setLabel(name, mark.label);
+      put(name, "x", px(place.x));
+      put(name, "y", px(place.y));
+    });
+    markLines.rest(inside.length);
+    markNames.rest(inside.length);
+  };
+
+  return {
+    useFaces,
+    /** @param {string} label */
+    tickWidth: (label) => measures?.text(label) ?? 7 * label.length,
+    placeNames,
+    placeMarks,
+    /** Where the names of curves stand. */
+    standing: () => standing,
+    /**
+     * @param {number | null} x
+     * @param {readonly import("./model.js").Point[]} points
+     * @param {readonly Trace[]} traces
+     * @param {Arrangement} arrangement
+     */
+    placeMarker: (x, points, traces, arrangement) => {
+      show(markerLine, x !== null);
+      if (x === null) {
+        dots.rest(0);
+        return;
+      }
+      const { frame } = arrangement;
+      const at = px(arrangement.xPixel(x));
+      put(markerLine, "x1", at);
+      put(markerLine, "x2", at);
+      put(markerLine, "y1", frame.y);
+      put(markerLine, "y2", frame.y + frame.height + 4);
+      let count = 0;
+      for (const { id, y } of points) {
+        const trace = traces.find((candidate) => candidate.id === id);
+        if (!trace || y === null || !Number.isFinite(y)) continue;
+        const pixel = arrangement.yPixel(y, trace.axis);
+        if (pixel < frame.y - 1 || pixel > frame.y + frame.height + 1) continue;
+        const dot = dots.at(count);
+        put(dot, "cx", at);
+        put(dot, "cy", px(pixel));
+        put(dot, "fill", `var(${trace.color})`);
+        count += 1;
+      }
+      dots.rest(count);
+    },
+  };
+}

@@ -1,0 +1,65 @@
+/** The curves as a table, for those who read a plot by ear. */
+
+import { decimal, sixDigits } from "../draw/numbers.js";
+import { plainText } from "../draw/symbols.js";
+import { joined } from "./csv.js";
+import { unitSuffix } from "./figure.js";
+
+/** @typedef {import("./model.js").Trace} Trace */
+/** @typedef {import("./model.js").Axis} Axis */
+
+const ROWS = 40;
+
+/**
+ * Which rows to read out: equal steps, both ends.
+ * @param {number} count
+ * @param {number} [limit]
+ */
+export function pickedRows(count, limit = ROWS) {
+  const every = Math.max(1, Math.ceil((count - 1) / (limit - 1)));
+  const rows = [];
+  for (let row = 0; row < count; row += every) rows.push(row);
+  const last = count - 1;
+  if (last >= 0 && rows[rows.length - 1] !== last) rows.push(last);
+  return rows;
+}
+
+/**
+ * @param {string} name
+ * @param {Axis} axis of the abscissa
+ * @param {readonly Trace[]} traces
+ * @returns {HTMLTableElement}
+ */
+export function dataTable(name, axis, traces) {
+  const { x, columns } = joined(traces);
+  const rows = pickedRows(x.length);
+  const table = document.createElement("table");
+  table.className = "plot-table";
+  table.createCaption().textContent =
+    rows.length < x.length
+      ? `${name}: ${rows.length} of ${x.length} samples; the CSV file has all`
+      : name;
+  /** @param {HTMLTableRowElement} row @param {string} text @param {"col" | "row"} scope */
+  const heading = (row, text, scope) => {
+    const th = document.createElement("th");
+    th.scope = scope;
+    th.textContent = text;
+    row.append(th);
+  };
+  const head = table.createTHead().insertRow();
+  heading(head, plainText(axis.title), "col");
+  for (const trace of traces) heading(head, plainText(trace.label), "col");
+  const body = table.createTBody();
+  for (const index of rows) {
+    const row = body.insertRow();
+    heading(row, decimal(Number((x[index] ?? 0).toPrecision(6))) + unitSuffix(axis.unit), "row");
+    columns.forEach((column, n) => {
+      const value = column[index];
+      row.insertCell().textContent =
+        value === null || value === undefined
+          ? "none"
+          : sixDigits(value) + unitSuffix(traces[n]?.unit);
+    });
+  }
+  return table;
+}

@@ -1,0 +1,38 @@
+/** The page's colours and faces as plain values, for what cannot read CSS variables itself. */
+
+/**
+ * @typedef {object} Theme
+ * @property {string} paper
+ * @property {string} ink
+ * @property {string} muted
+ * @property {string} rule
+ * @property {string} accent
+ * @property {string} panel
+ * @property {string} family
+ * @property {string} symbolFamily
+ * @property {(property: string) => string} color a custom property's value
+ */
+
+const SYMBOL_FAMILY = '"STIX Two Text", "Cambria Math", Cambria, Georgia, "Times New Roman", serif';
+
+/**
+ * @param {HTMLElement} element
+ * @returns {Theme}
+ */
+export function readTheme(element) {
+  const style = getComputedStyle(element);
+  /** @param {string} property @param {string} otherwise */
+  const read = (property, otherwise) => style.getPropertyValue(property).trim() || otherwise;
+  const ink = read("--ink", "#14181f");
+  return {
+    ink,
+    paper: read("--paper", "#ffffff"),
+    panel: read("--panel", "#ffffff"),
+    muted: read("--muted", "#5a6472"),
+    rule: read("--rule", "#e3e5e8"),
+    accent: read("--accent", "#2456c8"),
+    family: style.fontFamily || "sans-serif",
+    symbolFamily: read("--font-symbol", SYMBOL_FAMILY),
+    color: (property) => read(property, ink),
+  };
+}

@@ -1,0 +1,104 @@
+/** Where an axis has its ticks and what they say. */
+
+import { decimal } from "../draw/numbers.js";
+
+/** @typedef {import("./model.js").Tick} Tick */
+/** @typedef {import("./model.js").Axis} Axis */
+
+const DEGREE_STEPS = [15, 30, 45, 90, 180];
+
+/**
+ * The smallest of 1, 2, 5 times a power of ten that is at least `least`.
+ * @param {number} least
+ */
+export function roundStep(least) {
+  const power = 10 ** Math.floor(Math.log10(least));
+  const factor = [1, 2, 5, 10].find((candidate) => candidate * power >= least * (1 - 1e-9)) ?? 10;
+  return factor * power;
+}
+
+/**
+ * Multiples of a step inside a range.
+ * @param {number} low
+ * @param {number} high
+ * @param {number} step
+ */
+function multiples(low, high, step) {
+  const values = [];
+  const slack = step * 1e-9;
+  for (let n = Math.ceil((low - slack) / step); n * step <= high + slack; n += 1) {
+    values.push(Number((n * step).toPrecision(12)));
+  }
+  return values;
+}
+
+/**
+ * Every second, third … of the ticks, so that they stand at least `spacing` px apart.
+ * @param {Tick[]} ticks ascending, equally spaced
+ * @param {number} span of the axis's values
+ * @param {number} length px
+ * @param {number} spacing px
+ */
+function thinned(ticks, span, length, spacing) {
+  const [first, second] = ticks;
+  if (!first || !second) return ticks;
+  const apart = (Math.abs(second.value - first.value) / span) * length;
+  const every = Math.max(1, Math.ceil(spacing / apart - 1e-9));
+  const last = ticks.length - 1;
+  // The ends of a range are kept where the count allows: 0, 30, 60, 90 and not 0, 45.
+  const kept = [every, every + 1, every + 2].find((n) => last % n === 0) ?? every;
+  return ticks.filter((_, index) => index % kept === 0);
+}
+
+/**
+ * Ticks of an axis of a length.
+ * @param {Pick<Axis, "ticks" | "unit">} axis
+ * @param {readonly [number, number]} range
+ * @param {number} length px
+ * @param {number} spacing smallest distance of two ticks in px
+ * @returns {Tick[]}
+ */
+export function axisTicks(axis, range, length, spacing) {
+  const low = Math.min(...range);
+  const high = Math.max(...range);
+  const span = high - low || 1;
+  const suffix = axis.unit === "°" ? "°" : "";
+  if (axis.ticks) {
+    const given = axis.ticks.map((tick) =>
+      typeof tick === "number" ? { value: tick, label: decimal(tick) + suffix } : { ...tick },
+    );
+    return thinned(given, span, length, spacing);
+  }
+  const least = (spacing / Math.max(length, 1)) * span;
+  const step =
+    (suffix && span >= 45 && DEGREE_STEPS.find((candidate) => candidate >= least * (1 - 1e-9))) ||
+    roundStep(least);
+  return multiples(low, high, step).map((value) => ({ value, label: decimal(value) + suffix }));
+}
+
+/**
+ * A range that holds all values and ends at round numbers.
+ * @param {Iterable<readonly (number | null)[]>} series
+ * @returns {[number, number]}
+ */
+export function roundRange(series) {
+  let low = Number.POSITIVE_INFINITY;
+  let high = Number.NEGATIVE_INFINITY;
+  for (const values of series) {
+    for (const value of values) {
+      if (value === null || !Number.isFinite(value)) continue;
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  if (low > high) return [0, 1];
+  if (low === high) {
+    const around = Math.abs(low) || 1;
+    return low === 0 ? [0, 1] : [low - around / 2, high + around / 2];
+  }
+  const step = roundStep((high - low) / 8);
+  return [
+    Number((Math.floor(low / step + 1e-9) * step).toPrecision(12)),
+    Number((Math.ceil(high / step - 1e-9) * step).toPrecision(12)),
+  ];
+}

@@ -1,0 +1,327 @@
+/**
+ * Plots of curves over an abscissa, drawn by Plotly when things stand still and by writing the
+ * paths directly while a pointer is down (a tenth of the cost).
+ *
+ * The element becomes a figure with a name; its SVG is hidden from readers, who get the data table
+ * and, where an abscissa can be picked, a slider on the axis.
+ */
+
+import { withMinus } from "./draw/numbers.js";
+import { plainText } from "./draw/symbols.js";
+import { toCsv } from "./plot/csv.js";
+import { exportFigure, imageOf } from "./plot/export.js";
+import { CONFIG, plotlyLayout, plotlyTraces, traceUid, unitSuffix } from "./plot/figure.js";
+import { arrange } from "./plot/layout.js";
+import { drawLegend } from "./plot/legend.js";
+import { createOverlay, MOST_LABELS } from "./plot/overlay.js";
+import { createPixels, curvePath } from "./plot/path.js";
+import { listenForPicks } from "./plot/pick.js";
+import { dataTable } from "./plot/table.js";
+import { readTheme } from "./plot/theme.js";
+
+/** @typedef {import("./plot/model.js").Trace} Trace */
+/** @typedef {import("./plot/model.js").Mark} Mark */
+/** @typedef {import("./plot/model.js").Axis} Axis */
+/** @typedef {import("./plot/model.js").Point} Point */
+/** @typedef {import("./plot/layout.js").Arrangement} Arrangement */
+
+/**
+ * @typedef {object} PlotOptions
+ * @property {string} name what readers hear, and the title of an exported picture
+ * @property {Axis} x
+ * @property {Axis} y
+ * @property {Axis} [y2]
+ * @property {import("./plot/pick.js").OnPick} [onPick]
+ * @property {string} [filename] without ending
+ */
+
+/**
+ * @typedef {object} Plot
+ * @property {(traces: readonly Trace[], marks?: readonly Mark[]) => Promise<void>} draw
+ * @property {(traces: readonly Trace[], marks?: readonly Mark[]) => void} fast
+ * @property {(x: number | null, points?: readonly Point[]) => void} marker
+ * @property {(options: Partial<Pick<PlotOptions, "name" | "x" | "y" | "y2">>) => void} configure
+ *   takes effect with the next `draw`
+ * @property {(format: "png" | "svg" | "csv") => Promise<Blob>} exportAs
+ * @property {(format: "png" | "svg" | "csv") => string} filename
+ * @property {() => HTMLTableElement} table
+ * @property {() => void} theme
+ * @property {() => void} resize
+ * @property {() => void} destroy
+ */
+
+const SMALLEST = 40;
+const EXPORT_WIDTH = { least: 800, most: 1600 };
+
+/**
+ * @param {HTMLElement} parent
+ * @param {string} className
+ * @param {keyof HTMLElementTagNameMap} [tag]
+ */
+function child(parent, className, tag = "div") {
+  const node = document.createElement(tag);
+  node.className = className;
+  parent.append(node);
+  return node;
+}
+
+/**
+ * @param {HTMLElement} element
+ * @param {PlotOptions} options
+ * @returns {Plot}
+ */
+export function createPlot(element, options) {
+  const axes = { x: options.x, y: options.y, y2: options.y2 ?? null };
+  let name = options.name;
+  element.classList.add("plot");
+  element.setAttribute("role", "figure");
+  element.setAttribute("aria-label", name);
+
+  const area = child(element, "plot-area");
+  const canvas = child(area, "plot-canvas");
+  canvas.setAttribute("aria-hidden", "true");
+  const overlay = createOverlay(area);
+  const handle = child(area, "plot-handle");
+  handle.hidden = true;
+  const legend = child(element, "plot-legend", "ul");
+  legend.hidden = true;
+
+  let theme = readTheme(element);
+  overlay.useFaces(theme);
+  /** @type {readonly Trace[]} */
+  let traces = [];
+  /** @type {readonly Mark[]} */
+  let marks = [];
+  /** @type {{x: number | null, points: readonly Point[]}} */
+  let marker = { x: null, points: [] };
+  /** @type {Arrangement | null} */
+  let arrangement = null;
+  /** @type {{path: SVGPathElement, rest: SVGPathElement[], axis: Plotly.FullAxis}[] | null} */
+  let lines = null;
+  /** @type {((x: readonly number[]) => number[]) | null} */
+  let pixels = null;
+  let marksRow = Boolean(options.onPick);
+  let revision = 0;
+  let destroyed = false;
+
+  /** The paths that the last settled drawing left, or null when one of them has none. */
+  const findLines = () => {
+    const full = /** @type {Plotly.PlotElement} */ (canvas)._fullLayout;
+    pixels = createPixels(full.xaxis);
+    const found = traces.map((trace, index) => {
+      const [path, ...rest] = canvas.querySelectorAll(`.trace${traceUid(index)} path.js-line`);
+      const axis = trace.axis === "y2" ? full.yaxis2 : full.yaxis;
+      return { path, rest, axis };
+    });
+    lines = found.every(({ path }) => path)
+      ? /** @type {{path: SVGPathElement, rest: SVGPathElement[], axis: Plotly.FullAxis}[]} */ (
+          found
+        )
+      : null;
+  };
+
+  const placeMarker = () => {
+    if (!arrangement) return;
+    const { x, points } = marker;
+    overlay.placeMarker(x, points, traces, arrangement);
+    const { ranges, frame } = arrangement;
+    const visible = x !== null && x >= ranges.x[0] && x <= ranges.x[1];
+    handle.hidden = !visible;
+    if (!visible || x === null) return;
+    const unit = unitSuffix(axes.x.unit);
+    const value = withMinus(axes.x.unit === "°" ? x.toFixed(2) : String(Number(x.toPrecision(6))));
+    handle.textContent = value + unit;
+    handle.style.transform = `translate(${arrangement.xPixel(x)}px, ${frame.y + frame.height + 4}px) translateX(-50%)`;
+    if (!options.onPick) return;
+    handle.setAttribute("aria-valuenow", String(x));
+    const said = points
+      .filter(({ y }) => y !== null)
+      .map(({ id, y }) => {
+        const trace = traces.find((candidate) => candidate.id === id);
+        return trace ? `${plainText(trace.label)} ${(y ?? 0).toPrecision(6)}` : "";
+      });
+    handle.setAttribute("aria-valuetext", [value + unit, ...said].filter(Boolean).join(", "));
+  };
+
+  const decorate = () => {
+    if (!arrangement) return;
+    overlay.placeMarks(marks, arrangement, axes.y.title);
+    overlay.placeNames(traces, arrangement);
+    placeMarker();
+  };
+
+  const settle = async () => {
+    const size = { width: area.clientWidth, height: area.clientHeight };
+    if (destroyed || traces.length === 0 || size.width < SMALLEST || size.height < SMALLEST) return;
+    marksRow ||= marks.some((mark) => mark.kind === "landmark");
+    arrangement = arrange({ size, axes, traces, measure: overlay.tickWidth, marksRow });
+    revision += 1;
+    const drawn = Plotly.react(
+      canvas,
+      plotlyTraces(traces, theme),
+      // The fast path changes what is on the page behind Plotly's back: never let it compare.
+      { ...plotlyLayout(axes, arrangement, theme), datarevision: revision },
+      CONFIG,
+    );
+    delete element.dataset.fast;
+    decorate();
+    findLines();
+    await drawn;
+    if (!destroyed) findLines();
+  };
+
+  /** @param {readonly Trace[]} next */
+  const writePaths = (next) => {
+    if (!lines || !pixels || next.length !== traces.length) return false;
+    /** @type {string[]} */
+    const paths = [];
+    for (let index = 0; index < next.length; index += 1) {
+      const trace = /** @type {Trace} */ (next[index]);
+      const old = /** @type {Trace} */ (traces[index]);
+      const line = lines[index];
+      if (!line || trace.id !== old.id || trace.axis !== old.axis) return false;
+      const path = curvePath(pixels(trace.x), trace.y, line.axis);
+      if (path === null) return false;
+      paths.push(path);
+    }
+    paths.forEach((path, index) => {
+      const line = lines?.[index];
+      line?.path.setAttribute("d", path);
+      for (const other of line?.rest ?? []) other.removeAttribute("d");
+    });
+    return true;
+  };
+
+  /** @param {readonly Trace[]} next an axis that follows its data may have to grow */
+  const staysInRange = (next) =>
+    next.every((trace) => {
+      const axis = trace.axis === "y2" ? axes.y2 : axes.y;
+      const range = trace.axis === "y2" ? arrangement?.ranges.y2 : arrangement?.ranges.y;
+      if (!axis || axis.range || !range) return true;
+      return trace.y.every((value) => value === null || (value >= range[0] && value <= range[1]));
+    });
+
+  const showLegend = () => {
+    const wanted = traces.length > MOST_LABELS;
+    legend.hidden = !wanted;
+    if (wanted) drawLegend(legend, traces);
+  };
+
+  /** @type {Plot["draw"]} */
+  const draw = (next, nextMarks = []) => {
+    traces = next;
+    marks = nextMarks;
+    const now = marks.find((mark) => mark.kind === "current");
+    if (now) marker = { ...marker, x: now.x };
+    showLegend();
+    return settle();
+  };
+
+  let waiting = 0;
+  const resize = () => {
+    cancelAnimationFrame(waiting);
+    waiting = requestAnimationFrame(() => {
+      const { width, height } = arrangement?.size ?? { width: 0, height: 0 };
+      if (area.clientWidth !== width || area.clientHeight !== height) void settle();
+    });
+  };
+  const observer = new ResizeObserver(resize);
+  observer.observe(area);
+
+  const stopPicking = options.onPick
+    ? listenForPicks({
+        area,
+        handle,
+        arrangement: () => arrangement,
+        current: () => marker.x,
+        steps: () => {
+          if (axes.x.steps) return axes.x.steps;
+          const [low = 0, high = 1] = axes.x.range ?? [];
+          const span = Math.abs(high - low);
+          return { step: span / 180, fine: span / 1800, page: span / 18 };
+        },
+        onPick: options.onPick,
+        onActive: (active) => {
+          element.toggleAttribute("data-picking", active);
+        },
+      })
+    : () => {};
+
+  const describeHandle = () => {
+    if (!options.onPick) {
+      handle.setAttribute("aria-hidden", "true");
+      return;
+    }
+    const [low = 0, high = 1] = axes.x.range ?? [];
+    handle.setAttribute("role", "slider");
+    handle.tabIndex = 0;
+    handle.setAttribute("aria-label", plainText(axes.x.title));
+    handle.setAttribute("aria-valuemin", String(low));
+    handle.setAttribute("aria-valuemax", String(high));
+    element.dataset.pick = "";
+  };
+  describeHandle();
+
+  return {
+    draw,
+    fast: (next, nextMarks) => {
+      if (!staysInRange(next) || !writePaths(next)) {
+        void draw(next, nextMarks ?? marks);
+        return;
+      }
+      element.dataset.fast = "";
+      traces = next;
+      if (nextMarks) marks = nextMarks;
+      decorate();
+    },
+    marker: (x, points = []) => {
+      marker = { x, points };
+      placeMarker();
+    },
+    configure: (changes) => {
+      Object.assign(axes, {
+        x: changes.x ?? axes.x,
+        y: changes.y ?? axes.y,
+        y2: changes.y2 ?? axes.y2,
+      });
+      name = changes.name ?? name;
+      element.setAttribute("aria-label", name);
+      describeHandle();
+    },
+    exportAs: async (format) => {
+      if (format === "csv") {
+        return new Blob([toCsv(axes.x.column ?? "x", traces)], { type: "text/csv;charset=utf-8" });
+      }
+      const { width, height } = arrangement?.size ?? { width: 960, height: 600 };
+      const wide = Math.min(Math.max(width, EXPORT_WIDTH.least), EXPORT_WIDTH.most);
+      const size = { width: Math.round(wide), height: Math.round((wide * height) / width) + 40 };
+      const shown =
+        marker.x === null
+          ? marks
+          : [
+              ...marks.filter((mark) => mark.kind !== "current"),
+              { x: marker.x, label: "", kind: /** @type {const} */ ("current") },
+            ];
+      return imageOf(
+        exportFigure({ title: name, traces, marks: shown, axes, theme, size }),
+        format,
+      );
+    },
+    filename: (format) => `${options.filename ?? "plot"}.${format}`,
+    table: () => dataTable(name, axes.x, traces),
+    theme: () => {
+      theme = readTheme(element);
+      overlay.useFaces(theme);
+      void settle();
+    },
+    resize,
+    destroy: () => {
+      destroyed = true;
+      cancelAnimationFrame(waiting);
+      observer.disconnect();
+      stopPicking();
+      Plotly.purge(canvas);
+      element.replaceChildren();
+    },
+  };
+}
