@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from fastapi import APIRouter, Depends, FastAPI
+from fastapi import APIRouter, FastAPI
 from fastapi.middleware.cors import CORSMiddleware
 
 from app import __version__
 from app.api import curves, health, materials, models, problems, snell
-from app.api.params import declared_only
 from app.optics.registry import Registry, default_registry
 from app.page import Page, SecurityHeaders
 from app.settings import Settings
@@ -65,6 +64,6 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         materials.router(),
     ]
     for router in routers:
-        app.include_router(router, prefix=API_PREFIX, dependencies=[Depends(declared_only)])
+        app.include_router(router, prefix=API_PREFIX)
     app.mount("/", Page(settings.static_dir), name="page")
     return app

@@ -23,6 +23,7 @@ from app.api.params import (
     with_model_parameters,
 )
 from app.api.responses import CONVENTION, csv_response, interface_json, json_response
+from app.api.route import QueryRoute
 from app.api.schemas import CurvesOut
 from app.optics.amplitudes import Complex, amplitudes, power
 from app.optics.angles import brewster_deg, critical_deg, pseudo_brewster_deg
@@ -98,7 +99,7 @@ def exact_curves(
 
 def router(registry: Registry) -> APIRouter:
     """Routes over the models of `registry`."""
-    routes = APIRouter(tags=["optics"])
+    routes = APIRouter(route_class=QueryRoute, tags=["optics"])
     Query_ = with_model_parameters(CurvesQuery, registry)
 
     def compute(query: CurvesQuery, models: list[Model], interface: Interface) -> Any:

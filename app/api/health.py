@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from importlib.metadata import version
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Request
 from starlette.responses import JSONResponse
 
 from app import __version__
+from app.api.route import QueryRoute
 from app.api.schemas import HealthOut
 
 _LIBRARIES = {
@@ -17,10 +18,10 @@ _LIBRARIES = {
 
 def router() -> APIRouter:
     """Routes about the server itself."""
-    routes = APIRouter(tags=["server"])
+    routes = APIRouter(route_class=QueryRoute, tags=["server"])
 
     @routes.get("/health", response_model=HealthOut, summary="Is the server well?")
-    async def health() -> JSONResponse:
+    async def health(request: Request) -> JSONResponse:  # noqa: ARG001 - QueryRoute hands it over
         body = {"status": "ok", "version": __version__, "libraries": _LIBRARIES}
         return JSONResponse(body, headers={"Cache-Control": "no-store"})
 

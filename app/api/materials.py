@@ -6,12 +6,13 @@ from fastapi import APIRouter, Request
 from starlette.responses import Response
 
 from app.api.responses import json_response
+from app.api.route import QueryRoute
 from app.materials import load_catalog
 
 
 def router() -> APIRouter:
     """Routes over the catalog."""
-    routes = APIRouter(tags=["materials"])
+    routes = APIRouter(route_class=QueryRoute, tags=["materials"])
     catalog = load_catalog()
 
     @routes.get("/materials", summary="Media and materials by name")

@@ -10,6 +10,7 @@ from starlette.responses import Response
 
 from app.api.problems import MissingResource
 from app.api.responses import json_response
+from app.api.route import QueryRoute
 from app.api.schemas import ModelOut, ModelsOut, ParametersOut
 from app.optics.errors import UnknownModel
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG
@@ -33,7 +34,7 @@ def describe(model: Model) -> dict[str, Any]:
 
 def router(registry: Registry) -> APIRouter:
     """Routes over the models of `registry`."""
-    routes = APIRouter(tags=["models"])
+    routes = APIRouter(route_class=QueryRoute, tags=["models"])
 
     @routes.get("/models", response_model=ModelsOut, summary="All models")
     async def models(request: Request) -> Response:

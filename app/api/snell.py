@@ -10,6 +10,7 @@ from starlette.responses import Response
 
 from app.api.params import AngleQuery, DigitsQuery, InterfaceQuery
 from app.api.responses import CONVENTION, interface_json, json_response, number_or_null
+from app.api.route import QueryRoute
 from app.api.schemas import SnellOut
 from app.optics.amplitudes import amplitudes, power
 from app.optics.incidence import Incidence
@@ -65,7 +66,7 @@ def ray_json(interface: Interface, incidence: Incidence) -> dict[str, Any]:
 
 def router() -> APIRouter:
     """Routes about one ray."""
-    routes = APIRouter(tags=["optics"])
+    routes = APIRouter(route_class=QueryRoute, tags=["optics"])
 
     @routes.get("/snell", response_model=SnellOut, summary="One ray at the surface")
     async def snell(request: Request, query: Annotated[SnellQuery, Query()]) -> Response:

@@ -176,14 +176,20 @@ def power(interface: Interface, incidence: Incidence) -> Power:
         Rp = contrast * (null_re**2 + null_im**2) / (den_p * den_p)
         Ts = 4.0 * c * q.a / den_s
         Tp = 4.0 * c * q.a * (q.a**2 + q.b**2 + s * s) / den_p
-    matched = (contrast == 0.0) & (den_s == 0.0)
-    # The last bit of a total reflection may round above 1, which no power does.
+    # At 90 degrees and beyond the critical angle all is reflected, to the last bit; without a
+    # boundary (N = 1) nothing is, not even there, where the quotients above are 0/0.
+    total = (c == 0.0) | ((q.a == 0.0) & (q.b > 0.0))
+    none = contrast == 0.0
     return Power(
-        np.where(matched, 0.0, np.minimum(Rs, 1.0)),
-        np.where(matched, 0.0, np.minimum(Rp, 1.0)),
-        np.where(matched, 1.0, np.minimum(Ts, 1.0)),
-        np.where(matched, 1.0, np.minimum(Tp, 1.0)),
+        _between(none, total, Rs),
+        _between(none, total, Rp),
+        *(_between(total & ~none, none, T) for T in (Ts, Tp)),
     )
+
+
+def _between(zero: NDArray[np.bool_], one: NDArray[np.bool_], values: Array) -> Array:
+    """Set the known ends, and take off the last bit by which a power may round above 1."""
+    return np.where(zero, 0.0, np.where(one, 1.0, np.minimum(values, 1.0)))
 
 
 def _brewster_null(interface: Interface, incidence: Incidence) -> tuple[Array, Array]:

@@ -1,0 +1,1 @@
+"""Measured comparisons, each printing ratios taken side by side in one run."""

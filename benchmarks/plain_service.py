@@ -1,0 +1,52 @@
+"""What one writes first: FastAPI, a pydantic model with list[float], tolist(). The yardstick."""
+
+from __future__ import annotations
+
+import numpy as np
+from fastapi import FastAPI
+from pydantic import BaseModel
+
+app = FastAPI()
+
+
+class Curve(BaseModel):
+    """One curve."""
+
+    model: str
+    quantity: str
+    values: list[float]
+
+
+class Curves(BaseModel):
+    """The answer."""
+
+    n_i: float
+    n_t: float
+    k_t: float
+    theta_i_deg: list[float]
+    curves: list[Curve]
+
+
+@app.get("/curves")
+def curves(n_i: float = 1.0, n_t: float = 1.5, k_t: float = 0.0, samples: int = 181) -> Curves:
+    """Compute Rs, Rp, R, T, Schlick and its error by the textbook formulas."""
+    theta_i_deg = np.linspace(0.0, 90.0, samples)
+    mu, sin2 = np.cos(np.radians(theta_i_deg)), np.sin(np.radians(theta_i_deg)) ** 2
+    index = n_t + 1j * k_t
+    q = np.sqrt(index**2 - n_i**2 * sin2)
+    Rs = np.abs((n_i * mu - q) / (n_i * mu + q)) ** 2
+    Rp = np.abs((index**2 * mu - n_i * q) / (index**2 * mu + n_i * q)) ** 2
+    R = (Rs + Rp) / 2.0
+    F0 = ((n_t - n_i) ** 2 + k_t**2) / ((n_t + n_i) ** 2 + k_t**2)
+    schlick = F0 + (1.0 - F0) * (1.0 - mu) ** 5
+    quantities = {"R": R, "Rs": Rs, "Rp": Rp, "T": 1.0 - R, "schlick": schlick, "again": R}
+    return Curves(
+        n_i=n_i,
+        n_t=n_t,
+        k_t=k_t,
+        theta_i_deg=theta_i_deg.tolist(),
+        curves=[
+            Curve(model="exact", quantity=name, values=values.tolist())
+            for name, values in quantities.items()
+        ],
+    )
