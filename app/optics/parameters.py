@@ -34,6 +34,14 @@ class Parameter:
         Unit, empty for pure numbers.
     description
         One sentence for API docs and labels on the page.
+    integer
+        Whether only whole numbers make sense.
+    choices
+        The only values there are, each a name and its number; empty where all within bounds are.
+        The name may be given in place of the number.
+    triple
+        Whether R, G and B may differ: three numbers give three curves. The core broadcasts, so
+        three values of shape (3, 1) and angles of shape (n,) give R of shape (3, n).
     """
 
     name: str
@@ -43,12 +51,18 @@ class Parameter:
     maximum: float
     unit: str
     description: str
+    integer: bool = False
+    choices: tuple[tuple[str, float], ...] = ()
+    triple: bool = False
 
     @property
     def allowed(self) -> str:
         """The bounds in words."""
+        if self.choices:
+            return "one of " + ", ".join(name for name, _ in self.choices)
         unit = f" {self.unit}" if self.unit else ""
-        return f"a finite number from {self.minimum:g} to {self.maximum:g}{unit}"
+        number = "whole" if self.integer else "finite"
+        return f"a {number} number from {self.minimum:g} to {self.maximum:g}{unit}"
 
     def check(self, value: ArrayLike) -> Array:
         """Return `value` as a float64 array.
@@ -56,15 +70,20 @@ class Parameter:
         Raises
         ------
         OutOfRange
-            If any element is no real number, NaN, infinite or out of bounds.
+            If any element is no real number, NaN, infinite, out of bounds or none of the choices.
         """
+        given = dict(self.choices).get(value, value) if isinstance(value, str) else value
         try:
-            if np.iscomplexobj(value):
+            if np.iscomplexobj(given):
                 raise TypeError
-            array = np.asarray(value, dtype=np.float64)
+            array = np.asarray(given, dtype=np.float64)
         except (TypeError, ValueError):
             raise OutOfRange(self.name, repr(value), self.allowed) from None
         inside = (array >= self.minimum) & (array <= self.maximum)  # NaN compares false
+        if self.integer:
+            inside &= array == np.rint(array)
+        if self.choices:
+            inside &= np.isin(array, [number for _, number in self.choices])
         if not inside.all():
             raise OutOfRange(self.name, array[~inside].flat[0], self.allowed)
         return array

@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.optics.errors import NotAllowed, UnknownModel
+from app.optics.errors import NotAllowed, OutOfRange, UnknownModel
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface, Kind
 from app.optics.parameters import Array, Parameter
@@ -35,6 +35,34 @@ class Cost:
     pow: int = 0
     trig: int = 0
     lookup: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """Error of an approximation at one interface, to the digits that a test measures again.
+
+    Attributes
+    ----------
+    n_i, n_t, k_t
+        The interface.
+    max_abs
+        Largest |R - exact| over the hemisphere.
+    at_deg
+        Angle where it is reached, in degrees.
+    rms
+        Root mean square of R - exact over the solid angle.
+    """
+
+    n_i: float
+    n_t: float
+    k_t: float
+    max_abs: float
+    at_deg: float
+    rms: float
+
+
+def _nothing_to_solve(_: Interface, **given: Array | None) -> Mapping[str, Array]:
+    raise NotImplementedError(f"no value from the interface for any of {sorted(given)}")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,8 +93,16 @@ class Model:
         the formula is undefined.
     parameters
         The model's own parameters, passed to `function` by name.
+    solve
+        `solve(interface, **parameters)` returns values for those parameters that are None, worked
+        out from the interface; other entries are ignored.
     limits
         Returns why an interface lies outside the domain, or None inside; asked after `applies_to`.
+    kinks
+        `kinks(**parameters)` returns the cosines where the function is not smooth for reasons of
+        its own, as at the texels of a table, so that integrals can be split there.
+    measured
+        Errors at representative interfaces, each of which a test measures again.
     """
 
     id: str
@@ -79,12 +115,27 @@ class Model:
     cost: Cost
     function: Callable[..., Array]
     parameters: tuple[Parameter, ...] = ()
+    solve: Callable[..., Mapping[str, Array]] = _nothing_to_solve
     limits: Callable[[Interface], str | None] = field(default=lambda _: None)
+    kinks: Callable[..., Array] | None = None
+    measured: tuple[Measured, ...] = ()
 
     def __call__(
         self, interface: Interface, incidence: Incidence, **parameters: ArrayLike | None
     ) -> Array:
-        """Evaluate R, an array of the broadcast shape of interface and incidence.
+        """Evaluate R, an array of the broadcast shape of interface, incidence and parameters.
+
+        Raises
+        ------
+        NotAllowed
+            If a parameter is not the model's own.
+        OutOfRange
+            If a parameter's value is out of its bounds.
+        """
+        return self.evaluate(interface, incidence, self.arguments(interface, **parameters))
+
+    def arguments(self, interface: Interface, **parameters: ArrayLike | None) -> dict[str, Array]:
+        """Values of all the model's parameters, those left out or None solved from the interface.
 
         Raises
         ------
@@ -96,14 +147,29 @@ class Model:
         checked: dict[str, Array | None] = {}
         for parameter in self.parameters:
             value = parameters.pop(parameter.name, parameter.default)
-            checked[parameter.name] = None if value is None else parameter.check(value)
+            try:
+                checked[parameter.name] = None if value is None else parameter.check(value)
+            except OutOfRange as error:
+                name = f"{self.id}.{parameter.name}"
+                raise OutOfRange(name, error.value, error.allowed) from None
         if parameters:
             own = [parameter.name for parameter in self.parameters]
             name, value = next(iter(parameters.items()))
             raise NotAllowed(f"{self.id}.{name}", value, f"{self.id} has the parameters {own}")
+        complete = {name: value for name, value in checked.items() if value is not None}
+        if len(complete) < len(checked):
+            with np.errstate(invalid="ignore", divide="ignore"):
+                solved = self.solve(interface, **checked)
+            complete |= {name: solved[name] for name in checked if name not in complete}
+        return complete
+
+    def evaluate(
+        self, interface: Interface, incidence: Incidence, arguments: Mapping[str, Array]
+    ) -> Array:
+        """Evaluate R with the values that `arguments` returned, without looking at them again."""
         # A form undefined at some angle answers NaN there, which is a result and not a fault.
         with np.errstate(invalid="ignore", divide="ignore"):
-            values = self.function(interface, incidence, **checked)
+            values = self.function(interface, incidence, **arguments)
         shape = np.broadcast_shapes(
             interface.n_i.shape, interface.n_t.shape, interface.k_t.shape, incidence.cos.shape
         )
