@@ -74,6 +74,17 @@ PACKAGES = (
             "files/ibm-plex-sans-greek-wght-normal.woff2": ".",
         },
     ),
+    Package(
+        "swagger-ui",
+        "swagger-ui-dist",
+        "LICENSE",
+        {
+            "NOTICE": ".",
+            "swagger-ui-bundle.js": ".",
+            "swagger-ui-bundle.js.LICENSE.txt": ".",  # of what is inside the bundle
+            "swagger-ui.css": ".",
+        },
+    ),
 )
 
 
