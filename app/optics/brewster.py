@@ -19,8 +19,10 @@ References
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -29,20 +31,24 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 
-# Beyond this distance from Brewster's angle the plain difference has its digits; the relative
-# error there is about 1e-16 / (distance in radians).
-_NEAR_DEG = 1.0
+# Beyond this distance from Brewster's angle the plain difference has its digits: the relative error
+# there is about 1e-16 / (distance in radians), 3e-14.
+_NEAR_DEG = 0.2
 
 _SPLITTER = 134217729.0  # 2^27 + 1
 _DIGITS = 10**50
 _PI = 314159265358979323846264338327950288419716939937510
 
 
+Number = float | Array
+"""One number, with which Python is faster, or many, with which NumPy is."""
+
+
 class Double2(NamedTuple):
     """A number as the unevaluated sum of two doubles."""
 
-    high: Array
-    low: Array
+    high: Number
+    low: Number
 
 
 def brewster_factor(interface: Interface, incidence: Incidence) -> Array:
@@ -67,18 +73,38 @@ def brewster_factor(interface: Interface, incidence: Incidence) -> Array:
     near = np.abs(np.degrees(np.arctan(eta)) - degrees) < _NEAR_DEG
     if not near.any():
         return plain
-    n_i, n_t, theta = np.broadcast_arrays(interface.n_i, interface.n_t, degrees)
-    brewster = _brewster_deg(n_i[near], n_t[near])
-    distance = (brewster.high - theta[near]) + brewster.low
+    if interface.n_i.ndim == interface.n_t.ndim == 0:
+        brewster = _one_brewster_deg(float(interface.n_i), float(interface.n_t))
+        slope = np.asarray(np.hypot(1.0, eta))
+        theta = np.broadcast_to(degrees, plain.shape)[near]
+    else:
+        n_i, n_t, theta = (
+            np.broadcast_to(array, plain.shape)[near]
+            for array in (interface.n_i, interface.n_t, degrees)
+        )
+        whole = np.rint(np.degrees(np.arctan2(n_t, n_i))).astype(np.intp)
+        brewster = _brewster_deg(n_i, n_t, whole.astype(np.float64), _table()[:, whole])
+        slope = np.hypot(n_i, n_t) / n_i
+    distance = (brewster.high - theta) + brewster.low
     result = plain.copy()
-    result[near] = np.hypot(n_i, n_t)[near] / n_i[near] * np.sin(np.radians(distance))
+    result[near] = slope * np.sin(np.radians(distance))
     return result
 
 
-def _brewster_deg(n_i: Array, n_t: Array) -> Double2:
-    """arctan(n_t / n_i) in degrees, to about 30 digits."""
-    whole = np.rint(np.degrees(np.arctan2(n_t, n_i)))
-    cos_high, cos_low, sin_high, sin_low = _table()[:, whole.astype(np.intp)]
+@lru_cache(maxsize=1024)
+def _one_brewster_deg(n_i: float, n_t: float) -> Double2:
+    whole = round(math.degrees(math.atan2(n_t, n_i)))
+    return _brewster_deg(n_i, n_t, float(whole), _table()[:, whole].tolist())
+
+
+def _brewster_deg(
+    n_i: Number, n_t: Number, whole: Number, table: Sequence[Number] | Array
+) -> Double2:
+    """arctan(n_t / n_i) in degrees, to about 30 digits.
+
+    `whole` is the nearest whole degree and `table` the columns of `_table` that belong to it.
+    """
+    cos_high, cos_low, sin_high, sin_low = table
     cosine, sine = Double2(cos_high, cos_low), Double2(sin_high, sin_low)
     numerator = _add(_scale(cosine, n_t), _scale(sine, -n_i))
     z = _divide(numerator, _add(_scale(cosine, n_i), _scale(sine, n_t)))
@@ -86,30 +112,33 @@ def _brewster_deg(n_i: Array, n_t: Array) -> Double2:
     square = _multiply(z, z)
     s = square.high
     tail = s**3 * (-1.0 / 7.0 + s * (1.0 / 9.0 - s * (1.0 / 11.0 - s / 13.0)))
-    fifth = _multiply(_multiply(square, square), _constant(Fraction(1, 5)))
-    series = _add(_add(_multiply(square, _constant(Fraction(-1, 3))), fifth), _plain(tail))
+    fifth = _multiply(_multiply(square, square), _FIFTH)
+    series = _add(_add(_multiply(square, _THIRD), fifth), _plain(tail))
     angle = _add(z, _multiply(z, series))
-    degrees = _multiply(angle, _constant(Fraction(180 * _DIGITS, _PI)))
-    return _add(_plain(whole), degrees)
+    return _add(_plain(whole), _multiply(angle, _DEGREES))
 
 
-def _plain(value: Array) -> Double2:
-    return Double2(value, np.zeros_like(value))
+def _plain(value: Number) -> Double2:
+    return Double2(value, 0.0)
 
 
 def _constant(value: Fraction) -> Double2:
     high = float(value)
-    return Double2(np.asarray(high), np.asarray(float(value - Fraction(high))))
+    return Double2(high, float(value - Fraction(high)))
 
 
-def _two_sum(a: Array, b: Array) -> Double2:
+_THIRD, _FIFTH = _constant(Fraction(-1, 3)), _constant(Fraction(1, 5))
+_DEGREES = _constant(Fraction(180 * _DIGITS, _PI))
+
+
+def _two_sum(a: Number, b: Number) -> Double2:
     """a + b and its rounding error (Knuth)."""
     total = a + b
     rest = total - a
     return Double2(total, (a - (total - rest)) + (b - rest))
 
 
-def _two_product(a: Array, b: Array) -> Double2:
+def _two_product(a: Number, b: Number) -> Double2:
     """a * b and its rounding error (Dekker)."""
     product = a * b
     a_high = _SPLITTER * a - (_SPLITTER * a - a)
@@ -131,7 +160,7 @@ def _multiply(a: Double2, b: Double2) -> Double2:
     return _two_sum(high, error + (a.high * b.low + a.low * b.high))
 
 
-def _scale(a: Double2, factor: Array) -> Double2:
+def _scale(a: Double2, factor: Number) -> Double2:
     return _multiply(a, _plain(factor))
 
 
