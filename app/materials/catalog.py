@@ -1,28 +1,73 @@
-"""The presets by id and alias, loaded once."""
+"""The presets by id, alias and category, loaded once; spectra when they are asked for."""
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
 
-import yaml
-
-from app.materials.errors import UnknownMaterial
+from app.materials.errors import NoSpectrum, UnknownMaterial, WavelengthOutOfRange
 from app.materials.location import data_directory
-from app.materials.schema import Preset, Table
+from app.materials.schema import Category, Database, Index, Preset, SpectrumFile
+from app.materials.search import matches, names, nearest
+from app.materials.spectrum import Spectrum
+from app.optics.errors import NotAllowed
+
+
+@dataclass(frozen=True, slots=True)
+class Constants:
+    """n and k of a material at one wavelength.
+
+    `k` is None where the source does not give it; `wavelength_nm` where it names none.
+    """
+
+    n: float
+    k: float | None
+    wavelength_nm: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Spread:
+    """How far the measurements of one material lie apart, as luminance of F0 under D65."""
+
+    minimum: float
+    maximum: float
+    presets: tuple[Preset, ...]
 
 
 class Catalog:
-    """All presets, found by id or alias without regard to case."""
+    """All presets, found by id, alias or name without regard to case.
 
-    def __init__(self, presets: Iterable[Preset]) -> None:
+    Where several presets share an alias or a name, the first in the index has it: materials with a
+    spectrum come before their rivals, and those before the single indices of the tables.
+
+    Attributes
+    ----------
+    presets
+        Every preset, in the order of the index.
+    database
+        The release that the spectra were taken from.
+    """
+
+    def __init__(self, presets: Iterable[Preset], database: Database, spectra: Path) -> None:
         self.presets = tuple(presets)
+        self.database = database
+        self._directory = spectra
+        self._spectra: dict[str, Spectrum] = {}
         self._by_id = {preset.id: preset for preset in self.presets}
-        self._by_name: dict[str, Preset] = {}
+        self._by_name = {preset.id.casefold(): preset for preset in self.presets}
         for preset in self.presets:
-            for name in (preset.id, preset.name, *preset.aliases):
-                self._by_name.setdefault(name.casefold(), preset)
+            for name in names(preset):
+                self._by_name.setdefault(name, preset)
+        self._by_category: dict[Category, tuple[Preset, ...]] = {}
+        for preset in self.presets:
+            before = self._by_category.get(preset.category, ())
+            self._by_category[preset.category] = (*before, preset)
+
+    @property
+    def categories(self) -> tuple[Category, ...]:
+        """The categories that have members, in the order of the index."""
+        return tuple(self._by_category)
 
     def get(self, id: str) -> Preset:  # noqa: A002
         """Return the preset of an id, else of an alias or name.
@@ -32,18 +77,93 @@ class Catalog:
         UnknownMaterial
             With the nearest ids.
         """
-        found = self._by_id.get(id) or self._by_name.get(id.casefold())
+        found = self._by_id.get(id) or self._by_name.get(id.strip().casefold())
         if found is None:
-            close = difflib.get_close_matches(id.casefold(), self._by_name, n=5, cutoff=0.5)
-            raise UnknownMaterial(id, tuple(dict.fromkeys(self._by_name[c].id for c in close)))
+            raise UnknownMaterial(id, self.nearest(id))
         return found
+
+    def search(
+        self, query: str | None = None, category: Category | None = None
+    ) -> tuple[Preset, ...]:
+        """Return the presets of a category that a query fits, best first; all without either."""
+        among = self.presets if category is None else self._by_category.get(category, ())
+        return tuple(matches(among, query)) if query and query.strip() else among
+
+    def nearest(self, query: str, count: int = 5) -> tuple[str, ...]:
+        """Return the ids whose names resemble a query most, for when nothing fits it."""
+        return nearest(self.presets, query, count)
+
+    def spectrum(self, id: str) -> Spectrum:  # noqa: A002
+        """Return n and k over the wavelength, read when first asked for.
+
+        Raises
+        ------
+        UnknownMaterial
+            If there is no such preset.
+        NoSpectrum
+            If its source prints a single index.
+        """
+        preset = self.get(id)
+        if preset.kind == "single":
+            raise NoSpectrum(preset.id)
+        if preset.id not in self._spectra:
+            text = (self._directory / f"{preset.id}.json").read_bytes()
+            self._spectra[preset.id] = Spectrum(SpectrumFile.model_validate_json(text))
+        return self._spectra[preset.id]
+
+    def constants(self, id: str, wavelength_nm: float | None = None) -> Constants:  # noqa: A002
+        """Return n and k at a wavelength, by default the preset's own reference wavelength.
+
+        Raises
+        ------
+        UnknownMaterial
+            If there is no such preset.
+        WavelengthOutOfRange
+            If n, or k where the source gives any, is not known there; a single index is known at
+            its own wavelength alone.
+        NotAllowed
+            If a wavelength is asked of a single index whose source names none.
+        """
+        preset = self.get(id)
+        at = preset.wavelength_nm if wavelength_nm is None else wavelength_nm
+        if preset.kind == "single" or at is None:
+            if wavelength_nm is not None and preset.wavelength_nm is None:
+                raise NotAllowed(
+                    "wavelength_nm", wavelength_nm, f"none: the source of {preset.id} names none"
+                )
+            if at is not None and at != preset.wavelength_nm and preset.wavelength_nm is not None:
+                only = preset.wavelength_nm
+                raise WavelengthOutOfRange(preset.id, "n", at, only, only)
+            return Constants(preset.n, preset.k, preset.wavelength_nm)
+        spectrum = self.spectrum(preset.id)
+        k = spectrum.k(at)
+        return Constants(float(spectrum.n(at)), None if k is None else float(k), at)
+
+    def rivals(self, id: str) -> tuple[Preset, ...]:  # noqa: A002
+        """Return the other measurements of the same material; a rival's include the chosen one."""
+        preset = self.get(id)
+        family = preset.rival_of or preset.id
+        return tuple(
+            other
+            for other in self.presets
+            if other.id != preset.id and family in (other.id, other.rival_of)
+        )
+
+    def spread(self, id: str) -> Spread:  # noqa: A002
+        """Return how far the measurements of a material lie apart, itself included."""
+        family = (self.get(id), *self.rivals(id))
+        bright = [preset.color.luminance for preset in family]
+        return Spread(min(bright), max(bright), family)
 
 
 def load_catalog(path: Path | None = None) -> Catalog:
-    """Load the catalog of a data directory, by default the one that comes with the program."""
+    """Load the catalog of a data directory, by default the one that comes with the program.
+
+    Parameters
+    ----------
+    path
+        Directory that holds `index.json` and `spectra/`.
+    """
     directory = data_directory() if path is None else path
-    presets: list[Preset] = []
-    for file in sorted((directory / "tables").glob("*.yaml")):
-        table = Table.model_validate(yaml.safe_load(file.read_text(encoding="utf-8")))
-        presets.extend(table.rows)
-    return Catalog(presets)
+    index = Index.model_validate_json((directory / "index.json").read_bytes())
+    return Catalog(index.presets, index.database, directory / "spectra")

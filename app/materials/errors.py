@@ -2,24 +2,60 @@
 
 from __future__ import annotations
 
-from app.optics.errors import OpticsError
+from app.optics.errors import NotAllowed, OpticsError, OutOfRange, UnknownName
 
 
-class UnknownMaterial(OpticsError):
-    """No preset has this id or alias.
+class UnknownMaterial(UnknownName):
+    """No preset has this id, alias or name.
 
     Parameters
     ----------
-    id : str
+    id
         What was asked for.
-    nearest : tuple of str
+    nearest
         The ids that resemble it most, best first.
     """
 
     def __init__(self, id: str, nearest: tuple[str, ...] = ()) -> None:  # noqa: A002
-        self.id = id
-        self.nearest = nearest
-        allowed = "the id or an alias of a preset"
+        hint = "the id or an alias of a material"
         if nearest:
-            allowed += "; nearest: " + ", ".join(nearest)
-        super().__init__("material", id, allowed)
+            hint += f"; nearest: {', '.join(nearest)}"
+        OpticsError.__init__(self, "material", repr(id), hint)
+        self.nearest = list(nearest)
+
+
+class WavelengthOutOfRange(OutOfRange):
+    """A wavelength at which the source gives no value: nothing is extrapolated.
+
+    Parameters
+    ----------
+    material
+        Id of the material.
+    quantity
+        "n" or "k", whose range it is.
+    value
+        The wavelength asked for, in nanometers.
+    minimum, maximum
+        The valid range, inclusive, in nanometers.
+    """
+
+    def __init__(
+        self, material: str, quantity: str, value: float, minimum: float, maximum: float
+    ) -> None:
+        span = f"{minimum:.10g}" if minimum == maximum else f"{minimum:.10g} to {maximum:.10g}"
+        super().__init__(
+            "wavelength_nm", f"{value:.10g}", f"{span} nm, where {quantity} of {material} is known"
+        )
+        self.material = material
+        self.quantity = quantity
+        self.minimum = minimum
+        self.maximum = maximum
+
+
+class NoSpectrum(NotAllowed):
+    """A spectrum was asked of a material whose source prints a single index."""
+
+    def __init__(self, material: str) -> None:
+        super().__init__(
+            "material", repr(material), "a material with a spectrum; this one is a single index"
+        )

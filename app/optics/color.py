@@ -82,7 +82,9 @@ def color_matching(observer: Observer = "cie1931_2deg") -> Array:
 def illuminant_power(illuminant: Illuminant = "D65") -> Array:
     """Relative spectral power of an illuminant, shape (471,); E is the same everywhere."""
     _check("illuminant", illuminant, ILLUMINANTS)
-    return np.full(WAVELENGTH_NM.size, 100.0) if illuminant == "E" else _table()[:, _D65_COLUMN]
+    if illuminant == "E":
+        return np.full(WAVELENGTH_NM.size, 100.0)
+    return np.asarray(_table()[:, _D65_COLUMN])
 
 
 @cache

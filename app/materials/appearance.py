@@ -1,0 +1,199 @@
+r"""How a material reflects: R over angle and wavelength, and its linear sRGB.
+
+The spectrum is evaluated first and integrated last: R(theta, lambda) is exact at every wavelength,
+and the color is the integral of that. A material whose k is not known counts as transparent here;
+every result that holds an end value or such a k says so in its warnings.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from app.materials.spectrum import Spectrum
+from app.optics.amplitudes import Power, power
+from app.optics.color import (
+    Adaptation,
+    Illuminant,
+    Observer,
+    linear_srgb,
+    luminance,
+    srgb_weights,
+)
+from app.optics.incidence import Incidence
+from app.optics.interface import MU_BAR, Interface
+from app.optics.parameters import Array
+
+ANGLES_AT_ONCE = 256
+"""Angles whose 471 wavelengths are in memory together."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Appearance:
+    """Color of the reflected light in linear sRGB, not clamped.
+
+    Attributes
+    ----------
+    F0, F82
+        At normal incidence and at cos(theta_i) = 1/7, each the integral of the exact spectrum.
+    F82_tint
+        F82 over Schlick's value there, per channel: what the F82-tint model takes.
+    luminance
+        Luminous reflectance Y at normal incidence.
+    warnings
+        Where the spectrum does not cover the visible, and whether k is not known.
+    """
+
+    F0: Array
+    F82: Array
+    F82_tint: Array
+    luminance: float
+    warnings: tuple[str, ...]
+
+
+def interface(spectrum: Spectrum, wavelength_nm: ArrayLike, n_i: ArrayLike = 1.0) -> Interface:
+    """Boundary from a medium `n_i` to the material, of the wavelengths' shape.
+
+    A k that is not known counts as 0.
+
+    Raises
+    ------
+    WavelengthOutOfRange
+        If n, or k where the source gives any, is not known at a wavelength.
+    """
+    k = spectrum.k(wavelength_nm)
+    return Interface(n_i, spectrum.n(wavelength_nm), 0.0 if k is None else k)
+
+
+def reflectance(
+    spectrum: Spectrum, incidence: Incidence, wavelength_nm: ArrayLike, n_i: ArrayLike = 1.0
+) -> Power:
+    """Reflected and transmitted power over angles and wavelengths.
+
+    Parameters
+    ----------
+    spectrum
+        The second medium.
+    incidence
+        Directions, any shape.
+    wavelength_nm
+        Wavelengths in nanometers, any shape.
+    n_i
+        Real index of the incident medium: one number, or one for each wavelength.
+
+    Returns
+    -------
+    Power
+        Arrays of the angles' shape followed by the wavelengths'.
+
+    Raises
+    ------
+    WavelengthOutOfRange
+        If n, or k where the source gives any, is not known at a wavelength.
+    """
+    axes = np.ndim(wavelength_nm)
+    return power(interface(spectrum, wavelength_nm, n_i), _beside(incidence, axes))
+
+
+def color_curve(
+    spectrum: Spectrum,
+    incidence: Incidence,
+    n_i: ArrayLike = 1.0,
+    illuminant: Illuminant = "D65",
+    observer: Observer = "cie1931_2deg",
+    adaptation: Adaptation = "bradford",
+) -> Array:
+    """Linear sRGB of the light reflected at each angle, not clamped.
+
+    Parameters
+    ----------
+    spectrum
+        The second medium; `spectrum.visible.warnings` tells what was held.
+    incidence
+        Directions, any shape.
+    n_i
+        Real index of the incident medium: one number, or one for each of the 471 wavelengths.
+    illuminant, observer, adaptation
+        As in `app.optics.color.srgb_weights`.
+
+    Returns
+    -------
+    Array
+        The angles' shape followed by 3.
+    """
+    seen = spectrum.visible
+    boundary = Interface(n_i, seen.n, seen.k)
+    weights = srgb_weights(illuminant, observer, adaptation)
+    cos, sin = incidence.cos.ravel(), incidence.sin.ravel()
+    rows = [
+        power(boundary, _beside(Incidence(cos[at], sin[at]), 1)).R @ weights
+        for at in (
+            slice(first, first + ANGLES_AT_ONCE) for first in range(0, cos.size, ANGLES_AT_ONCE)
+        )
+    ]
+    stacked = np.concatenate(rows) if rows else np.empty((0, 3))
+    return stacked.reshape(*incidence.cos.shape, 3)
+
+
+def appearance(
+    spectrum: Spectrum,
+    n_i: ArrayLike = 1.0,
+    illuminant: Illuminant = "D65",
+    observer: Observer = "cie1931_2deg",
+    adaptation: Adaptation = "bradford",
+) -> Appearance:
+    """Colors that material models ask for; parameters as in `color_curve`."""
+    seen = spectrum.visible
+    boundary = Interface(n_i, seen.n, seen.k)
+    F0 = linear_srgb(boundary.F0, illuminant, observer, adaptation)
+    F82 = linear_srgb(boundary.F82, illuminant, observer, adaptation)
+    return Appearance(
+        F0=F0,
+        F82=F82,
+        F82_tint=f82_tint(F0, F82),
+        luminance=float(luminance(boundary.F0, illuminant, observer)),
+        warnings=seen.warnings,
+    )
+
+
+def f82_tint(F0: ArrayLike, F82: ArrayLike) -> Array:
+    """Tint of the F82-tint model, F82 / S(1/7), S(mu) = F0 + (1 - F0)(1 - mu)^5.
+
+    References
+    ----------
+    .. [1] P. Kutz, M. Hasan, D. Edmondson, Novel aspects of the Adobe Standard Material (2021).
+    """
+    normal = np.asarray(F0, dtype=np.float64)
+    schlick = normal + (1.0 - normal) * (1.0 - MU_BAR) ** 5
+    return np.asarray(np.asarray(F82, dtype=np.float64) / schlick)
+
+
+def rgb_constants(
+    spectrum: Spectrum,
+    illuminant: Illuminant = "D65",
+    observer: Observer = "cie1931_2deg",
+    adaptation: Adaptation = "bradford",
+) -> tuple[Array, Array]:
+    """n and k averaged to three channels, as renderers do that have no spectra.
+
+    Each curve is weighted as if it were a reflectance, so constant curves keep their value. An
+    average of constants is not the constant of an average: compare with `color_curve`, which is
+    right. Channels below 0, which no index can be, are cut to 1e-3 (n) and 0 (k).
+
+    Returns
+    -------
+    n, k
+        Arrays of shape (3,).
+    """
+    seen = spectrum.visible
+    n = linear_srgb(seen.n, illuminant, observer, adaptation)
+    k = linear_srgb(seen.k, illuminant, observer, adaptation)
+    return np.maximum(n, 1e-3), np.maximum(k, 0.0)
+
+
+def _beside(incidence: Incidence, axes: int) -> Incidence:
+    """Incidence with trailing axes of length 1, to broadcast against wavelengths."""
+    after = (...,) + (np.newaxis,) * axes
+    return Incidence(incidence.cos[after], incidence.sin[after])

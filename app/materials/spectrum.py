@@ -1,0 +1,148 @@
+"""n and k of one material as functions of the wavelength, only where its source gives them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from app.materials.dispersion import refractive_index
+from app.materials.errors import WavelengthOutOfRange
+from app.materials.schema import Formula, Quantity, SpectrumFile
+from app.optics.color import WAVELENGTH_NM
+from app.optics.parameters import Array
+
+D_LINE_NM, F_LINE_NM, C_LINE_NM = 587.5618, 486.1327, 656.2725
+"""Spectral lines of the Abbe number: He d, H F and H C."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Visible:
+    """n and k at `app.optics.color.WAVELENGTH_NM`, for color alone.
+
+    Attributes
+    ----------
+    n, k
+        Shape (471,). Where the range ends within the visible, the end value is held.
+    warnings
+        What was held, and whether k is not known and counts as 0.
+    """
+
+    n: Array
+    k: Array
+    warnings: tuple[str, ...]
+
+
+class Spectrum:
+    """Optical constants of one material, evaluated from native points or a formula.
+
+    Parameters
+    ----------
+    file
+        What `spectra/<id>.json` holds, provenance included.
+
+    Attributes
+    ----------
+    n_range_nm
+        Where n is known, both ends included.
+    k_range_nm
+        The same for k, or None where the source gives no k.
+    """
+
+    def __init__(self, file: SpectrumFile) -> None:
+        self.file = file
+        self.id = file.id
+        self.n_range_nm = _range(file.n)
+        self.k_range_nm = None if file.k is None else _range(file.k)
+        self._n = _curve(file.n)
+        self._k = None if file.k is None else _curve(file.k)
+
+    def n(self, wavelength_nm: ArrayLike) -> Array:
+        """Refractive index at wavelengths in nanometers, of their shape.
+
+        Raises
+        ------
+        WavelengthOutOfRange
+            If one is outside `n_range_nm`, or NaN.
+        """
+        wavelengths = np.asarray(wavelength_nm, dtype=np.float64)
+        self._check("n", wavelengths, self.n_range_nm)
+        return self._n(wavelengths)
+
+    def k(self, wavelength_nm: ArrayLike) -> Array | None:
+        """Extinction coefficient, of the wavelengths' shape, or None where it is not known.
+
+        Raises
+        ------
+        WavelengthOutOfRange
+            If one is outside `k_range_nm`, or NaN.
+        """
+        if self._k is None or self.k_range_nm is None:
+            return None
+        wavelengths = np.asarray(wavelength_nm, dtype=np.float64)
+        self._check("k", wavelengths, self.k_range_nm)
+        return self._k(wavelengths)
+
+    @property
+    def range_nm(self) -> tuple[float, float]:
+        """Where everything that the source gives is known: n, and k unless it gives none."""
+        low, high = self.n_range_nm
+        if self.k_range_nm is None:
+            return low, high
+        return max(low, self.k_range_nm[0]), min(high, self.k_range_nm[1])
+
+    @cached_property
+    def visible(self) -> Visible:
+        """n and k over the visible for color, which needs them everywhere; see `Visible`."""
+        n = self._n(np.clip(WAVELENGTH_NM, *self.n_range_nm))
+        if self._k is None or self.k_range_nm is None:
+            warnings = (*_held("n", self.n_range_nm), "k is not known and counts as 0")
+            return Visible(n, np.zeros_like(n), warnings)
+        k = self._k(np.clip(WAVELENGTH_NM, *self.k_range_nm))
+        if self.n_range_nm == self.k_range_nm:
+            return Visible(n, k, _held("n and k", self.n_range_nm))
+        return Visible(n, k, (*_held("n", self.n_range_nm), *_held("k", self.k_range_nm)))
+
+    @cached_property
+    def abbe_number(self) -> float | None:
+        """V_d = (n_d - 1) / (n_F - n_C), or None where n is not known at all three lines.
+
+        None as well where n is a table: the difference would be that of its last digits.
+        """
+        low, high = self.n_range_nm
+        if not isinstance(self.file.n, Formula) or low > F_LINE_NM or high < C_LINE_NM:
+            return None
+        n_d, n_F, n_C = self.n([D_LINE_NM, F_LINE_NM, C_LINE_NM])
+        return float((n_d - 1.0) / (n_F - n_C)) if n_F != n_C else None
+
+    def _check(self, quantity: str, wavelengths: Array, span: tuple[float, float]) -> None:
+        inside = (wavelengths >= span[0]) & (wavelengths <= span[1])  # NaN compares false
+        if not inside.all():
+            raise WavelengthOutOfRange(self.id, quantity, wavelengths[~inside].flat[0], *span)
+
+
+def _held(what: str, span: tuple[float, float]) -> tuple[str, ...]:
+    low, high = span
+    warnings = []
+    if low > WAVELENGTH_NM[0]:
+        warnings.append(f"{what} not known below {low:.10g} nm: the color holds the value there")
+    if high < WAVELENGTH_NM[-1]:
+        warnings.append(f"{what} not known above {high:.10g} nm: the color holds the value there")
+    return tuple(warnings)
+
+
+def _range(quantity: Quantity) -> tuple[float, float]:
+    if isinstance(quantity, Formula):
+        return quantity.range_nm
+    return quantity.wavelength_nm[0], quantity.wavelength_nm[-1]
+
+
+def _curve(quantity: Quantity) -> Callable[[Array], Array]:
+    if isinstance(quantity, Formula):
+        number, coefficients = quantity.number, quantity.coefficients
+        return lambda wavelengths: refractive_index(number, coefficients, wavelengths / 1000.0)
+    nodes, values = np.array(quantity.wavelength_nm), np.array(quantity.values)
+    return lambda wavelengths: np.asarray(np.interp(wavelengths, nodes, values))
