@@ -6,15 +6,15 @@
  * and, where an abscissa can be picked, a slider on the axis.
  */
 
-import { withMinus } from "./draw/numbers.js";
 import { plainText } from "./draw/symbols.js";
+import { plain } from "./format.js";
 import { toCsv } from "./plot/csv.js";
 import { exportFigure, imageOf } from "./plot/export.js";
-import { CONFIG, plotlyLayout, plotlyTraces, traceUid, unitSuffix } from "./plot/figure.js";
+import { createFastPath } from "./plot/fast.js";
+import { CONFIG, plotlyLayout, plotlyTraces, unitSuffix } from "./plot/figure.js";
 import { arrange } from "./plot/layout.js";
 import { drawLegend } from "./plot/legend.js";
 import { createOverlay, MOST_LABELS } from "./plot/overlay.js";
-import { createPixels, curvePath } from "./plot/path.js";
 import { listenForPicks } from "./plot/pick.js";
 import { dataTable } from "./plot/table.js";
 import { readTheme } from "./plot/theme.js";
@@ -30,7 +30,7 @@ import { readTheme } from "./plot/theme.js";
  * @property {string} name what readers hear, and the title of an exported picture
  * @property {Axis} x
  * @property {Axis} y
- * @property {Axis} [y2]
+ * @property {Axis | null} [y2]
  * @property {import("./plot/pick.js").OnPick} [onPick]
  * @property {string} [filename] without ending
  */
@@ -40,8 +40,8 @@ import { readTheme } from "./plot/theme.js";
  * @property {(traces: readonly Trace[], marks?: readonly Mark[]) => Promise<void>} draw
  * @property {(traces: readonly Trace[], marks?: readonly Mark[]) => void} fast
  * @property {(x: number | null, points?: readonly Point[]) => void} marker
- * @property {(options: Partial<Pick<PlotOptions, "name" | "x" | "y" | "y2">>) => void} configure
- *   takes effect with the next `draw`
+ * @property {(changes: Partial<Pick<PlotOptions, "name" | "x" | "y" | "y2">>) => void} axes
+ *   takes effect with the next `draw`; `y2: null` takes the second axis away
  * @property {(format: "png" | "svg" | "csv") => Promise<Blob>} exportAs
  * @property {(format: "png" | "svg" | "csv") => string} filename
  * @property {() => HTMLTableElement} table
@@ -63,6 +63,42 @@ function child(parent, className, tag = "div") {
   node.className = className;
   parent.append(node);
   return node;
+}
+
+/**
+ * The library, once its script has run.
+ * @returns {Promise<Plotly.Library>}
+ */
+async function library() {
+  if (window.Plotly) return window.Plotly;
+  const script = document.querySelector('script[src*="plotly"]');
+  if (!script) throw new Error("Plotly's script is not on the page");
+  await new Promise((resolve, reject) => {
+    script.addEventListener("load", resolve, { once: true });
+    script.addEventListener("error", () => reject(new Error("Plotly could not be loaded")), {
+      once: true,
+    });
+  });
+  return library();
+}
+
+/**
+ * @param {Axis} axis
+ * @param {number} value
+ */
+function axisValue(axis, value) {
+  return (axis.unit === "°" ? value.toFixed(2) : plain(value)) + unitSuffix(axis.unit);
+}
+
+/**
+ * A mark says where it stands, unless its label does already.
+ * @param {readonly Mark[]} marks
+ * @param {Axis} axis
+ */
+function valued(marks, axis) {
+  return marks.map((mark) =>
+    /\d/u.test(mark.label) ? mark : { ...mark, label: `${mark.label} ${axisValue(axis, mark.x)}` },
+  );
 }
 
 /**
@@ -88,6 +124,10 @@ export function createPlot(element, options) {
 
   let theme = readTheme(element);
   overlay.useFaces(theme);
+  void document.fonts.ready.then(() => {
+    overlay.useFaces(theme);
+    void settle();
+  });
   /** @type {readonly Trace[]} */
   let traces = [];
   /** @type {readonly Mark[]} */
@@ -96,41 +136,23 @@ export function createPlot(element, options) {
   let marker = { x: null, points: [] };
   /** @type {Arrangement | null} */
   let arrangement = null;
-  /** @type {{path: SVGPathElement, rest: SVGPathElement[], axis: Plotly.FullAxis}[] | null} */
-  let lines = null;
-  /** @type {((x: readonly number[]) => number[]) | null} */
-  let pixels = null;
+  const fastPath = createFastPath(canvas);
   let marksRow = Boolean(options.onPick);
-  let revision = 0;
   let destroyed = false;
-
-  /** The paths that the last settled drawing left, or null when one of them has none. */
-  const findLines = () => {
-    const full = /** @type {Plotly.PlotElement} */ (canvas)._fullLayout;
-    pixels = createPixels(full.xaxis);
-    const found = traces.map((trace, index) => {
-      const [path, ...rest] = canvas.querySelectorAll(`.trace${traceUid(index)} path.js-line`);
-      const axis = trace.axis === "y2" ? full.yaxis2 : full.yaxis;
-      return { path, rest, axis };
-    });
-    lines = found.every(({ path }) => path)
-      ? /** @type {{path: SVGPathElement, rest: SVGPathElement[], axis: Plotly.FullAxis}[]} */ (
-          found
-        )
-      : null;
-  };
 
   const placeMarker = () => {
     if (!arrangement) return;
     const { x, points } = marker;
     overlay.placeMarker(x, points, traces, arrangement);
+    if (x !== null && overlay.inTheWay(arrangement.xPixel(x))) {
+      overlay.placeNames(traces, arrangement, x);
+    }
     const { ranges, frame } = arrangement;
     const visible = x !== null && x >= ranges.x[0] && x <= ranges.x[1];
     handle.hidden = !visible;
     if (!visible || x === null) return;
-    const unit = unitSuffix(axes.x.unit);
-    const value = withMinus(axes.x.unit === "°" ? x.toFixed(2) : String(Number(x.toPrecision(6))));
-    handle.textContent = value + unit;
+    const value = axisValue(axes.x, x);
+    handle.textContent = value;
     handle.style.transform = `translate(${arrangement.xPixel(x)}px, ${frame.y + frame.height + 4}px) translateX(-50%)`;
     if (!options.onPick) return;
     handle.setAttribute("aria-valuenow", String(x));
@@ -140,56 +162,61 @@ export function createPlot(element, options) {
         const trace = traces.find((candidate) => candidate.id === id);
         return trace ? `${plainText(trace.label)} ${(y ?? 0).toPrecision(6)}` : "";
       });
-    handle.setAttribute("aria-valuetext", [value + unit, ...said].filter(Boolean).join(", "));
+    handle.setAttribute("aria-valuetext", [value, ...said].filter(Boolean).join(", "));
   };
 
   const decorate = () => {
     if (!arrangement) return;
-    overlay.placeMarks(marks, arrangement, axes.y.title);
-    overlay.placeNames(traces, arrangement);
+    overlay.placeMarks(valued(marks, axes.x), arrangement, axes.y.title);
+    overlay.placeNames(traces, arrangement, marker.x);
+    overlay.hideHover();
     placeMarker();
   };
 
+  let turn = 0;
   const settle = async () => {
+    turn += 1;
+    const own = turn;
+    if (!window.Plotly) {
+      await library();
+      if (own !== turn) return;
+    }
     const size = { width: area.clientWidth, height: area.clientHeight };
     if (destroyed || traces.length === 0 || size.width < SMALLEST || size.height < SMALLEST) return;
     marksRow ||= marks.some((mark) => mark.kind === "landmark");
     arrangement = arrange({ size, axes, traces, measure: overlay.tickWidth, marksRow });
-    revision += 1;
     const drawn = Plotly.react(
       canvas,
       plotlyTraces(traces, theme),
       // The fast path changes what is on the page behind Plotly's back: never let it compare.
-      { ...plotlyLayout(axes, arrangement, theme), datarevision: revision },
+      { ...plotlyLayout(axes, arrangement, theme), datarevision: own },
       CONFIG,
     );
     delete element.dataset.fast;
     decorate();
-    findLines();
+    fastPath.find(traces);
+    listenForHover();
     await drawn;
-    if (!destroyed) findLines();
   };
 
-  /** @param {readonly Trace[]} next */
-  const writePaths = (next) => {
-    if (!lines || !pixels || next.length !== traces.length) return false;
-    /** @type {string[]} */
-    const paths = [];
-    for (let index = 0; index < next.length; index += 1) {
-      const trace = /** @type {Trace} */ (next[index]);
-      const old = /** @type {Trace} */ (traces[index]);
-      const line = lines[index];
-      if (!line || trace.id !== old.id || trace.axis !== old.axis) return false;
-      const path = curvePath(pixels(trace.x), trace.y, line.axis);
-      if (path === null) return false;
-      paths.push(path);
-    }
-    paths.forEach((path, index) => {
-      const line = lines?.[index];
-      line?.path.setAttribute("d", path);
-      for (const other of line?.rest ?? []) other.removeAttribute("d");
+  let hovering = false;
+  const listenForHover = () => {
+    if (hovering) return;
+    hovering = true;
+    const plot = /** @type {Plotly.PlotElement} */ (canvas);
+    plot.on("plotly_hover", ({ points }) => {
+      if (!arrangement) return;
+      overlay.placeHover(
+        points[0].x,
+        points.map((/** @type {{curveNumber: number, y: number}} */ { curveNumber, y }) => ({
+          id: traces[curveNumber]?.id ?? "",
+          y,
+        })),
+        traces,
+        arrangement,
+      );
     });
-    return true;
+    plot.on("plotly_unhover", () => overlay.hideHover());
   };
 
   /** @param {readonly Trace[]} next an axis that follows its data may have to grow */
@@ -265,7 +292,7 @@ export function createPlot(element, options) {
   return {
     draw,
     fast: (next, nextMarks) => {
-      if (!staysInRange(next) || !writePaths(next)) {
+      if (!staysInRange(next) || !fastPath.write(next)) {
         void draw(next, nextMarks ?? marks);
         return;
       }
@@ -278,19 +305,19 @@ export function createPlot(element, options) {
       marker = { x, points };
       placeMarker();
     },
-    configure: (changes) => {
-      Object.assign(axes, {
-        x: changes.x ?? axes.x,
-        y: changes.y ?? axes.y,
-        y2: changes.y2 ?? axes.y2,
-      });
+    axes: (changes) => {
+      axes.x = changes.x ?? axes.x;
+      axes.y = changes.y ?? axes.y;
+      if (changes.y2 !== undefined) axes.y2 = changes.y2;
       name = changes.name ?? name;
       element.setAttribute("aria-label", name);
       describeHandle();
     },
     exportAs: async (format) => {
       if (format === "csv") {
-        return new Blob([toCsv(axes.x.column ?? "x", traces)], { type: "text/csv;charset=utf-8" });
+        return new Blob([toCsv(axes.x.column ?? plainText(axes.x.title), traces)], {
+          type: "text/csv;charset=utf-8",
+        });
       }
       const { width, height } = arrangement?.size ?? { width: 960, height: 600 };
       const wide = Math.min(Math.max(width, EXPORT_WIDTH.least), EXPORT_WIDTH.most);
@@ -303,7 +330,7 @@ export function createPlot(element, options) {
               { x: marker.x, label: "", kind: /** @type {const} */ ("current") },
             ];
       return imageOf(
-        exportFigure({ title: name, traces, marks: shown, axes, theme, size }),
+        exportFigure({ title: name, traces, marks: valued(shown, axes.x), axes, theme, size }),
         format,
       );
     },

@@ -1,6 +1,6 @@
 /** A plot as Plotly's data and layout; on the page and for export alike. */
 
-import { plainText, plotlyText } from "../draw/symbols.js";
+import { plotlyText } from "../draw/symbols.js";
 
 /** @typedef {import("./model.js").Trace} Trace */
 /** @typedef {import("./model.js").Axis} Axis */
@@ -29,7 +29,15 @@ const TRANSPARENT = "rgba(0,0,0,0)";
  */
 export function unitSuffix(unit) {
   if (!unit) return "";
-  return unit === "°" ? unit : ` ${unit}`;
+  return unit === "°" ? unit : ` ${unit.trim()}`;
+}
+
+/**
+ * The symbol of a title when it has one ("angle of incidence θ_i (degrees)" is "θ_i"), else all of it.
+ * @param {string} title
+ */
+export function shortTitle(title) {
+  return title.match(/\p{L}(?:_\{[^}]*\}|_[\p{L}\p{N}]|[₀₁₂ᵢₚₛₜ])/u)?.[0] ?? title;
 }
 
 /**
@@ -103,7 +111,7 @@ function plotlyAxis(axis, range, ticks, arrangement, theme) {
  * @param {Theme} theme
  */
 function levelTitle(axis, side, arrangement, theme) {
-  const { margins, marksRow, fontSize } = arrangement;
+  const { margins, fontSize } = arrangement;
   const left = side === "left";
   return {
     text: plotlyText(axis.title),
@@ -114,7 +122,7 @@ function levelTitle(axis, side, arrangement, theme) {
     xanchor: side,
     yanchor: "bottom",
     xshift: left ? -margins.left : margins.right,
-    yshift: marksRow ? 22 : 7,
+    yshift: 6,
     showarrow: false,
     borderpad: 0,
     font: { size: fontSize, color: theme.muted },
@@ -155,13 +163,10 @@ export function plotlyLayout(axes, arrangement, theme) {
         standoff: 6,
         font: { size: fontSize, color: theme.muted },
       },
-      showspikes: true,
-      spikecolor: theme.muted,
-      spikethickness: 1,
-      spikedash: "solid",
-      spikesnap: "data",
+      // The overlay draws the hovered abscissa itself: Plotly's spike is three lines thick.
+      showspikes: false,
       unifiedhovertitle: {
-        text: `${plainText(axes.x.title)} %{x}${unitSuffix(axes.x.unit)}`,
+        text: `${plotlyText(shortTitle(axes.x.title))} = %{x:${axes.x.unit === "°" ? ".2f" : ".6~g"}}${unitSuffix(axes.x.unit)}`,
       },
     },
     yaxis: plotlyAxis(axes.y, ranges.y, ticks.y, arrangement, theme),

@@ -93,10 +93,17 @@ function passes(curve, box, frame) {
  * @param {readonly LabelledCurve[]} task.curves
  * @param {Box} task.frame
  * @param {readonly Box[]} [task.obstacles] what labels must not cover
+ * @param {readonly number[]} [task.uprights] px of upright lines, kept clear of where that is cheap
  * @param {ReadonlyMap<string, Centre>} [task.previous] where they stood: they move only for a reason
  * @returns {Map<string, Centre>}
  */
-export function placeLabels({ curves, frame, obstacles = [], previous = new Map() }) {
+export function placeLabels({
+  curves,
+  frame,
+  obstacles = [],
+  uprights = [],
+  previous = new Map(),
+}) {
   const sampled = curves.map((curve) => columns(curve, frame));
   /** @type {Map<string, Centre>} */
   const placed = new Map();
@@ -142,6 +149,7 @@ export function placeLabels({ curves, frame, obstacles = [], previous = new Map(
           else if (passes(other, wide, frame)) cost += 6;
         });
         if (hit) cost += 60;
+        if (uprights.some((x) => x > wide.x && x < wide.x + wide.width)) cost += 5;
         if (taken.some((other) => overlap(wide, other))) cost += 4;
         if (before) {
           const moved = Math.hypot(

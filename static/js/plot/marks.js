@@ -9,14 +9,14 @@ const APART = 8;
  * @param {object} task
  * @param {readonly {x: number, width: number}[]} task.marks `x` in px
  * @param {import("../draw/boxes.js").Box} task.frame
- * @param {number} task.reserved px at the left of the upper row that the axis title takes
+ * @param {number} task.reserved px at the left of the lower row that the axis title takes
  * @returns {({x: number, y: number} | null)[]} centre of each name, null where there is no room
  */
 export function placeMarkNames({ marks, frame, reserved }) {
   const left = frame.x - 8;
   const right = frame.x + frame.width + 14;
   /** @type {import("../draw/boxes.js").Box[]} */
-  const taken = [{ x: 0, y: frame.y - 2 * ROW - 4, width: reserved + APART, height: ROW }];
+  const taken = [{ x: 0, y: frame.y - ROW - 4, width: reserved + APART, height: ROW }];
   return marks.map(({ x, width }) => {
     const most = right - width;
     for (const row of [0, 1]) {

@@ -18,7 +18,7 @@
  * @typedef {object} Axis
  * @property {string} title
  * @property {readonly number[] | null} [range] `null` follows the data
- * @property {readonly (number | {value: number, label: string})[]} [ticks]
+ * @property {readonly number[] | {values: readonly number[], text: readonly string[]}} [ticks]
  * @property {string} [unit] `°` is written at each tick, others belong in the title
  * @property {string} [column] heading of x in the CSV file
  * @property {{step: number, fine: number, page: number}} [steps] of the keyboard

@@ -43,6 +43,42 @@ function pool(make) {
 }
 
 /**
+ * @param {SVGLineElement} line
+ * @param {number} x px
+ * @param {Arrangement} arrangement
+ */
+function upright(line, x, { frame }) {
+  put(line, "x1", x);
+  put(line, "x2", x);
+  put(line, "y1", frame.y);
+  put(line, "y2", frame.y + frame.height + 4);
+}
+
+/**
+ * @param {ReturnType<typeof pool<SVGCircleElement>>} dots
+ * @param {number} x
+ * @param {readonly import("./model.js").Point[]} points
+ * @param {readonly Trace[]} traces
+ * @param {Arrangement} arrangement
+ */
+function placeDots(dots, x, points, traces, arrangement) {
+  const { frame } = arrangement;
+  let count = 0;
+  for (const { id, y } of points) {
+    const trace = traces.find((candidate) => candidate.id === id);
+    if (!trace || y === null || !Number.isFinite(y)) continue;
+    const pixel = arrangement.yPixel(y, trace.axis);
+    if (pixel < frame.y - 1 || pixel > frame.y + frame.height + 1) continue;
+    const dot = dots.at(count);
+    put(dot, "cx", px(arrangement.xPixel(x)));
+    put(dot, "cy", px(pixel));
+    put(dot, "style", `--dot: var(${trace.color})`);
+    count += 1;
+  }
+  dots.rest(count);
+}
+
+/**
  * @param {HTMLElement} area
  */
 export function createOverlay(area) {
@@ -57,11 +93,15 @@ export function createOverlay(area) {
   const labels = pool(() => svg("text", { class: "plot-label" }, names));
   const markerLine = svg("line", { class: "plot-marker-line", visibility: "hidden" }, front);
   const dots = pool(() => svg("circle", { class: "plot-dot", r: 4.5 }, front));
+  const hoverLine = svg("line", { class: "plot-hover-line", visibility: "hidden" }, behind);
+  const rings = pool(() => svg("circle", { class: "plot-ring", r: 3.5 }, front));
 
   /** @type {{label: import("../draw/measure.js").Measure, text: import("../draw/measure.js").Measure, mark: import("../draw/measure.js").Measure} | null} */
   let measures = null;
   /** @type {Map<string, import("./labels.js").Centre>} */
   let standing = new Map();
+  /** @type {Map<string, number>} */
+  const widths = new Map();
 
   /** @param {import("./theme.js").Theme} theme */
   const useFaces = ({ family, symbolFamily }) => {
@@ -75,8 +115,9 @@ export function createOverlay(area) {
   /**
    * @param {readonly Trace[]} traces
    * @param {Arrangement} arrangement
+   * @param {number | null} x of the marker, which names keep clear of
    */
-  const placeNames = (traces, arrangement) => {
+  const placeNames = (traces, arrangement, x) => {
     if (!measures || traces.length > MOST_LABELS) {
       standing = new Map();
       labels.rest(0);
@@ -84,20 +125,23 @@ export function createOverlay(area) {
     }
     const { label } = measures;
     /** @type {readonly number[] | null} */
-    let x = null;
+    let abscissa = null;
     /** @type {number[]} */
     let xPixels = [];
     standing = placeLabels({
       frame: arrangement.frame,
       previous: standing,
+      uprights: x === null ? [] : [arrangement.xPixel(x)],
       curves: traces.map((trace) => {
-        if (trace.x !== x) {
-          x = trace.x;
+        if (trace.x !== abscissa) {
+          abscissa = trace.x;
           xPixels = trace.x.map(arrangement.xPixel);
         }
+        const width = label(trace.label) + 4;
+        widths.set(trace.id, width);
         return {
           id: trace.id,
-          width: label(trace.label) + 4,
+          width,
           height: LABEL_SIZE + 2,
           x: xPixels,
           y: trace.y.map((value) =>
@@ -163,8 +207,27 @@ export function createOverlay(area) {
     tickWidth: (label) => measures?.text(label) ?? 7 * label.length,
     placeNames,
     placeMarks,
-    /** Where the names of curves stand. */
-    standing: () => standing,
+    /**
+     * Whether an upright line runs through a name.
+     * @param {number} pixel
+     */
+    inTheWay: (pixel) =>
+      [...standing].some(([id, { x }]) => Math.abs(pixel - x) < (widths.get(id) ?? 0) / 2 + 2),
+    hideHover: () => {
+      show(hoverLine, false);
+      rings.rest(0);
+    },
+    /**
+     * @param {number} x
+     * @param {readonly import("./model.js").Point[]} points
+     * @param {readonly Trace[]} traces
+     * @param {Arrangement} arrangement
+     */
+    placeHover: (x, points, traces, arrangement) => {
+      show(hoverLine, true);
+      upright(hoverLine, px(arrangement.xPixel(x)), arrangement);
+      placeDots(rings, x, points, traces, arrangement);
+    },
     /**
      * @param {number | null} x
      * @param {readonly import("./model.js").Point[]} points
@@ -177,25 +240,8 @@ export function createOverlay(area) {
         dots.rest(0);
         return;
       }
-      const { frame } = arrangement;
-      const at = px(arrangement.xPixel(x));
-      put(markerLine, "x1", at);
-      put(markerLine, "x2", at);
-      put(markerLine, "y1", frame.y);
-      put(markerLine, "y2", frame.y + frame.height + 4);
-      let count = 0;
-      for (const { id, y } of points) {
-        const trace = traces.find((candidate) => candidate.id === id);
-        if (!trace || y === null || !Number.isFinite(y)) continue;
-        const pixel = arrangement.yPixel(y, trace.axis);
-        if (pixel < frame.y - 1 || pixel > frame.y + frame.height + 1) continue;
-        const dot = dots.at(count);
-        put(dot, "cx", at);
-        put(dot, "cy", px(pixel));
-        put(dot, "fill", `var(${trace.color})`);
-        count += 1;
-      }
-      dots.rest(count);
+      upright(markerLine, px(arrangement.xPixel(x)), arrangement);
+      placeDots(dots, x, points, traces, arrangement);
     },
   };
 }

@@ -1,7 +1,7 @@
 /** The curves as a table, for those who read a plot by ear. */
 
-import { decimal, sixDigits } from "../draw/numbers.js";
 import { plainText } from "../draw/symbols.js";
+import { plain, six } from "../format.js";
 import { joined } from "./csv.js";
 import { unitSuffix } from "./figure.js";
 
@@ -52,13 +52,11 @@ export function dataTable(name, axis, traces) {
   const body = table.createTBody();
   for (const index of rows) {
     const row = body.insertRow();
-    heading(row, decimal(Number((x[index] ?? 0).toPrecision(6))) + unitSuffix(axis.unit), "row");
+    heading(row, plain(x[index] ?? 0) + unitSuffix(axis.unit), "row");
     columns.forEach((column, n) => {
       const value = column[index];
       row.insertCell().textContent =
-        value === null || value === undefined
-          ? "none"
-          : sixDigits(value) + unitSuffix(traces[n]?.unit);
+        value === null || value === undefined ? "none" : six(value) + unitSuffix(traces[n]?.unit);
     });
   }
   return table;

@@ -1,6 +1,6 @@
 /** Where an axis has its ticks and what they say. */
 
-import { decimal } from "../draw/numbers.js";
+import { plain } from "../format.js";
 
 /** @typedef {import("./model.js").Tick} Tick */
 /** @typedef {import("./model.js").Axis} Axis */
@@ -64,16 +64,22 @@ export function axisTicks(axis, range, length, spacing) {
   const span = high - low || 1;
   const suffix = axis.unit === "°" ? "°" : "";
   if (axis.ticks) {
-    const given = axis.ticks.map((tick) =>
-      typeof tick === "number" ? { value: tick, label: decimal(tick) + suffix } : { ...tick },
-    );
+    // an array has a method called `values`, so that is no way to tell them apart
+    const { values, text } =
+      "text" in axis.ticks
+        ? axis.ticks
+        : { values: axis.ticks, text: /** @type {string[]} */ ([]) };
+    const given = values.map((value, index) => ({
+      value,
+      label: text[index] ?? plain(value, 12) + suffix,
+    }));
     return thinned(given, span, length, spacing);
   }
   const least = (spacing / Math.max(length, 1)) * span;
   const step =
     (suffix && span >= 45 && DEGREE_STEPS.find((candidate) => candidate >= least * (1 - 1e-9))) ||
     roundStep(least);
-  return multiples(low, high, step).map((value) => ({ value, label: decimal(value) + suffix }));
+  return multiples(low, high, step).map((value) => ({ value, label: plain(value, 12) + suffix }));
 }
 
 /**

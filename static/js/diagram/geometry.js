@@ -1,0 +1,140 @@
+/**
+ * The diagram's geometry in pixels: y grows downward, the surface is level, the ray comes from the
+ * upper left. Nothing here knows optics; angles and shares come from the server.
+ */
+
+/** @typedef {{x: number, y: number}} Point */
+/**
+ * @typedef {object} Stage
+ * @property {number} width
+ * @property {number} height
+ * @property {number} x where the ray meets the surface
+ * @property {number} y
+ * @property {number} length of an arrow that carries all of the light
+ * @property {number} arc radius of the angles' arcs
+ * @property {number} wavelength px that stand for one vacuum wavelength of depth
+ */
+
+const RADIAN = Math.PI / 180;
+
+/**
+ * @param {number} width
+ * @param {number} height
+ * @returns {Stage}
+ */
+export function stageOf(width, height) {
+  const length = Math.min(width * 0.42, height * 0.42, 420);
+  return {
+    width,
+    height,
+    x: Math.round(width / 2),
+    y: Math.round(height / 2),
+    length,
+    arc: length * 0.4,
+    wavelength: Math.round(height / 8),
+  };
+}
+
+/**
+ * Unit vectors from the point of incidence: back along the incident ray, along the reflected ray,
+ * along the refracted ray. Exactly upright and level at 0 and 90 degrees.
+ * @param {number} degrees from the normal
+ * @param {"incident" | "reflected" | "refracted"} ray
+ * @returns {Point}
+ */
+export function direction(degrees, ray) {
+  const sine = degrees === 90 ? 1 : Math.sin(degrees * RADIAN);
+  const cosine = degrees === 90 ? 0 : Math.cos(degrees * RADIAN);
+  return {
+    x: ray === "incident" ? -sine : sine,
+    y: ray === "refracted" ? cosine : -cosine,
+  };
+}
+
+/**
+ * @param {Point} from
+ * @param {Point} along unit vector
+ * @param {number} distance
+ * @returns {Point}
+ */
+export function at(from, along, distance) {
+  return { x: from.x + along.x * distance, y: from.y + along.y * distance };
+}
+
+/** @param {number} value */
+const short = (value) => Number(value.toFixed(2));
+
+/**
+ * Path of the arc from the normal to a ray.
+ * @param {Point} origin
+ * @param {number} radius
+ * @param {number} degrees
+ * @param {"incident" | "refracted"} ray
+ */
+export function arcPath(origin, radius, degrees, ray) {
+  const start = at(origin, direction(0, ray), radius);
+  const end = at(origin, direction(degrees, ray), radius);
+  // both arcs run counterclockwise on the screen
+  return `M${short(start.x)},${short(start.y)}A${short(radius)},${short(radius)} 0 0 0 ${short(end.x)},${short(end.y)}`;
+}
+
+/**
+ * The same arc as a chain of chords, for labels to keep clear of.
+ * @param {Point} origin
+ * @param {number} radius
+ * @param {number} degrees
+ * @param {"incident" | "refracted"} ray
+ * @returns {import("../draw/boxes.js").Segment[]}
+ */
+export function arcChords(origin, radius, degrees, ray) {
+  const count = Math.max(1, Math.ceil(degrees / 10));
+  /** @type {import("../draw/boxes.js").Segment[]} */
+  const chords = [];
+  let from = at(origin, direction(0, ray), radius);
+  for (let n = 1; n <= count; n += 1) {
+    const to = at(origin, direction((degrees * n) / count, ray), radius);
+    chords.push({ x1: from.x, y1: from.y, x2: to.x, y2: to.y });
+    from = to;
+  }
+  return chords;
+}
+
+/**
+ * The arrow for a share of the light: as long as the share, and as heavy. A head longer than its
+ * arrow would lie about the length, so the head gives way.
+ * @param {number} share 0 … 1
+ * @param {number} full px of an arrow that carries everything
+ */
+export function arrowSize(share, full) {
+  const length = share * full;
+  const width = 1.25 + 2 * share;
+  const head = Math.min(length, 7 + 8 * share);
+  return { length, width, head, visible: length >= 0.75 };
+}
+
+/** Head of an arrow one px long with its tip at the origin, pointing along +x. */
+export const HEAD_PATH = "M0,0L-1,-.4L-.78,0L-1,.4Z";
+
+/**
+ * Angle of incidence of a ray through a point of the screen: the upper left quadrant, and beyond
+ * its sides the nearest end.
+ * @param {Point} origin
+ * @param {Point} point
+ * @returns {number} degrees, 0 … 90
+ */
+export function angleAt(origin, point) {
+  const left = origin.x - point.x;
+  const up = origin.y - point.y;
+  if (left <= 0) return up >= 0 ? 0 : 90;
+  if (up <= 0) return 90;
+  return Math.atan2(left, up) / RADIAN;
+}
+
+/**
+ * How strongly a medium is tinted: nothing at 1 and below, more with each doubling of the index.
+ * @param {number} n
+ * @returns {number} 0 … 1
+ */
+export function tint(n) {
+  return n <= 1 ? 0 : Math.min(1, Math.log2(n) / 3);
+}

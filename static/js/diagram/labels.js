@@ -1,0 +1,139 @@
+/**
+ * Where the diagram's labels stand: near what they name, off every ray, arc and other label, inside
+ * the frame, and where they stood before unless that has become worse.
+ */
+
+import { crosses, grown, overlap, reach, within } from "../draw/boxes.js";
+import { at, direction } from "./geometry.js";
+
+/** @typedef {import("../draw/boxes.js").Box} Box */
+/** @typedef {import("../draw/boxes.js").Segment} Segment */
+/** @typedef {import("./geometry.js").Point} Point */
+/** @typedef {import("./geometry.js").Stage} Stage */
+/** @typedef {{width: number, height: number}} Extent */
+/** @typedef {{slot: string, x: number, y: number, cost: number}} Candidate centre of the label */
+/** @typedef {{id: string, size: Extent, candidates: Candidate[], optional?: boolean}} Wish */
+/** @typedef {{id: string, slot: string, x: number, y: number, clear: boolean}} Placed */
+
+const GAP = 6;
+const BLOCKED = 1000;
+const LOYALTY = 1.2;
+
+/**
+ * Places for the name of an angle: outside its arc, inside it, or on the far side of the ray where
+ * the angle is too small to hold it.
+ * @param {Stage} stage
+ * @param {number} degrees
+ * @param {"incident" | "refracted"} ray
+ * @param {Extent} size
+ * @returns {Candidate[]}
+ */
+export function angleCandidates(stage, degrees, ray, size) {
+  /** @type {Candidate[]} */
+  const out = [];
+  for (const share of [0.5, 0.62, 0.38, 0.74, 0.26]) {
+    const along = direction(degrees * share, ray);
+    const half = reach(size, along.x, along.y);
+    const away = Math.abs(share - 0.5) * 4;
+    const outside = at(stage, along, stage.arc + GAP + half);
+    out.push({ slot: `outside ${share}`, ...outside, cost: away });
+    const inside = at(stage, along, stage.arc - GAP - half);
+    out.push({ slot: `inside ${share}`, ...inside, cost: 1 + away });
+    const far = at(stage, along, stage.arc + 2.2 * GAP + 2 * half);
+    out.push({ slot: `far ${share}`, ...far, cost: 1.6 + away });
+  }
+  const along = direction(degrees, ray);
+  // away from the normal, at right angles to the ray
+  const beside = { x: along.y, y: -along.x };
+  for (const [slot, distance] of /** @type {[string, number][]} */ ([
+    ["beside arc", stage.arc],
+    ["beside near", stage.arc * 0.7],
+    ["beside far", stage.arc * 1.35],
+    ["beside farther", stage.arc * 1.7],
+  ])) {
+    const point = at(at(stage, along, distance), beside, GAP + reach(size, beside.x, beside.y));
+    out.push({ slot, ...point, cost: 3 + Math.abs(distance - stage.arc) / 40 });
+  }
+  return out;
+}
+
+/**
+ * Places for the name of an arrow: to either side of its direction, from the tip on.
+ * @param {Stage} stage
+ * @param {Point} along unit vector of the arrow
+ * @param {number} length px of the arrow
+ * @param {Extent} size
+ * @param {number} clearance px from the arrow's middle line
+ * @returns {Candidate[]}
+ */
+export function arrowCandidates(stage, along, length, size, clearance) {
+  /** @type {Candidate[]} */
+  const out = [];
+  for (const [side, sign] of /** @type {["right" | "left", number][]} */ ([
+    ["right", 1],
+    ["left", -1],
+  ])) {
+    // "right" is away from the normal for both arrows, which leave to the right
+    const away = along.y < 0 ? sign : -sign;
+    const beside = { x: -along.y * away, y: along.x * away };
+    const offset = clearance + reach(size, beside.x, beside.y);
+    for (let step = 0; step <= 16; step += 1) {
+      const distance = (stage.length * step) / 14;
+      const point = at(at(stage, along, distance), beside, offset);
+      const cost = Math.abs(distance - length) / 28 + (side === "right" ? 0 : 0.8);
+      out.push({ slot: `${side} ${step}`, ...point, cost });
+    }
+  }
+  // straight ahead of the tip
+  const ahead = at(stage, along, length + GAP + reach(size, along.x, along.y));
+  out.push({ slot: "ahead", ...ahead, cost: 1.5 });
+  return out;
+}
+
+/**
+ * Choose a place for each label, in the order given.
+ * @param {object} task
+ * @param {readonly Wish[]} task.wishes
+ * @param {Box} task.frame
+ * @param {readonly Segment[]} task.segments
+ * @param {readonly Box[]} task.boxes
+ * @param {ReadonlyMap<string, Placed>} [task.previous]
+ * @returns {Map<string, Placed>}
+ */
+export function placeAll({ wishes, frame, segments, boxes, previous = new Map() }) {
+  const taken = [...boxes];
+  /** @type {Map<string, Placed>} */
+  const placed = new Map();
+  for (const { id, size, candidates, optional } of wishes) {
+    const before = previous.get(id)?.slot;
+    /** @type {Candidate | null} */
+    let best = null;
+    let lowest = Number.POSITIVE_INFINITY;
+    for (const candidate of candidates) {
+      let cost = candidate.cost - (candidate.slot === before ? LOYALTY : 0);
+      if (cost >= lowest) continue;
+      const box = boxOf(candidate, size);
+      if (!within(box, frame)) continue;
+      const wide = grown(box, 2.5);
+      for (const other of taken) if (overlap(wide, other)) cost += BLOCKED;
+      if (cost >= lowest) continue;
+      for (const segment of segments) if (crosses(segment, wide)) cost += BLOCKED;
+      if (cost >= lowest) continue;
+      lowest = cost;
+      best = candidate;
+    }
+    if (!best || (optional && lowest >= BLOCKED / 2)) continue;
+    taken.push(boxOf(best, size));
+    placed.set(id, { id, slot: best.slot, x: best.x, y: best.y, clear: lowest < BLOCKED / 2 });
+  }
+  return placed;
+}
+
+/**
+ * @param {Point} centre
+ * @param {Extent} size
+ * @returns {Box}
+ */
+export function boxOf({ x, y }, { width, height }) {
+  return { x: x - width / 2, y: y - height / 2, width, height };
+}

@@ -1,0 +1,116 @@
+/** Writing values into the scene: media, rays, signs. Attributes only, nothing is made here. */
+
+import { put, px, show } from "../draw/svg.js";
+import { arrowSize, at } from "./geometry.js";
+import { DECAY } from "./scene.js";
+
+/** @typedef {import("./scene.js").Scene} Scene */
+/** @typedef {import("./geometry.js").Stage} Stage */
+/** @typedef {import("./geometry.js").Point} Point */
+/** @typedef {Scene["incident"]} Arrow */
+
+/**
+ * @param {SVGLineElement} line
+ * @param {Point} from
+ * @param {Point} to
+ */
+export function setLine(line, from, to) {
+  put(line, "x1", px(from.x));
+  put(line, "y1", px(from.y));
+  put(line, "x2", px(to.x));
+  put(line, "y2", px(to.y));
+}
+
+/**
+ * @param {SVGElement} node
+ * @param {Point} tip
+ * @param {Point} along
+ * @param {number} size
+ */
+function setHead(node, tip, along, size) {
+  const turn = (Math.atan2(along.y, along.x) * 180) / Math.PI;
+  put(
+    node,
+    "transform",
+    `translate(${px(tip.x)},${px(tip.y)})rotate(${px(turn)})scale(${px(size)})`,
+  );
+}
+
+/**
+ * An arrow that leaves the point of incidence, as long as its share of the light.
+ * @param {Arrow} arrow
+ * @param {Stage} stage
+ * @param {Point} along
+ * @param {number} share
+ */
+export function setArrow(arrow, stage, along, share) {
+  const { length, width, head, visible } = arrowSize(share, stage.length);
+  show(arrow.group, visible);
+  if (!visible) return;
+  const tip = at(stage, along, length);
+  // the shaft ends inside the head, so that its square end does not blunt the tip
+  const end = at(stage, along, length - head * 0.7);
+  setLine(arrow.shaft, stage, end);
+  setLine(arrow.casing, stage, end);
+  put(arrow.shaft, "stroke-width", px(width));
+  put(arrow.casing, "stroke-width", px(width + 3));
+  setHead(arrow.head, tip, along, head);
+}
+
+/**
+ * The incident ray: all of the light, its head half way so that the point of incidence stays clear.
+ * @param {Arrow} arrow
+ * @param {Stage} stage
+ * @param {Point} back unit vector from the point of incidence to the source
+ */
+export function setIncident(arrow, stage, back) {
+  const { width, head } = arrowSize(1, stage.length);
+  setLine(arrow.shaft, at(stage, back, stage.length), stage);
+  put(arrow.shaft, "stroke-width", px(width * 0.8));
+  setHead(
+    arrow.head,
+    at(stage, back, stage.length * 0.54 - head / 2),
+    { x: -back.x, y: -back.y },
+    head,
+  );
+}
+
+/**
+ * The signs of polarization, each as large as its field amplitude beside the incident one.
+ * @param {Scene["signs"]["incident"]} signs
+ * @param {Stage} stage
+ * @param {Point} along
+ * @param {{s: number, p: number}} shares of the incident power of that polarization; 0 hides the sign
+ * @param {boolean} both
+ */
+export function setSigns(signs, stage, along, shares, both) {
+  const turn = (Math.atan2(along.y, along.x) * 180) / Math.PI;
+  const places = both ? { s: 0.68, p: 0.82 } : { s: 0.75, p: 0.75 };
+  for (const which of /** @type {const} */ (["s", "p"])) {
+    const size = Math.sqrt(shares[which]);
+    const node = signs[which];
+    show(node, size > 0.06);
+    if (size <= 0.06) continue;
+    const place = at(stage, along, stage.length * places[which]);
+    put(
+      node,
+      "transform",
+      `translate(${px(place.x)},${px(place.y)})rotate(${px(turn)})scale(${Math.round(size * 100) / 100})`,
+    );
+  }
+}
+
+/**
+ * The decay below the surface: an absorber grows dark, an evanescent field glows out.
+ * @param {SVGRectElement} rect
+ * @param {SVGLinearGradientElement} gradient
+ * @param {Stage} stage
+ * @param {number | null} depth in vacuum wavelengths
+ */
+export function setDecay(rect, gradient, stage, depth) {
+  show(rect, depth !== null);
+  if (depth === null) return;
+  const deepest = DECAY[DECAY.length - 1] ?? 1;
+  put(gradient, "y1", stage.y);
+  put(gradient, "y2", (stage.y + Math.max(deepest * depth * stage.wavelength, 0.01)).toFixed(2));
+}
