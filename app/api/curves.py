@@ -12,16 +12,14 @@ from pydantic import Field
 from starlette.concurrency import run_in_threadpool
 from starlette.responses import Response
 
-from app.api.params import (
-    InterfaceQuery,
+from app.api.model_parameters import (
     ModelsParameter,
-    SamplesQuery,
-    TableQuery,
     model_arguments,
     parse_models,
     refuse_foreign_parameters,
     with_model_parameters,
 )
+from app.api.params import InterfaceQuery, SamplesQuery, TableQuery
 from app.api.responses import CONVENTION, csv_response, interface_json, json_response
 from app.api.route import QueryRoute
 from app.api.schemas import CurvesOut
@@ -113,7 +111,11 @@ def router(registry: Registry) -> APIRouter:
                 curves += [Curve(model.id, name, values, reason) for name, values in quantities]
             else:
                 values = model(interface, incidence, **model_arguments(query, model))
-                curves.append(Curve(model.id, "R", np.ascontiguousarray(values), reason))
+                names = ("R",) if values.ndim == 1 else ("R_red", "R_green", "R_blue")
+                curves += [
+                    Curve(model.id, name, np.ascontiguousarray(row), reason)
+                    for name, row in zip(names, np.atleast_2d(values), strict=True)
+                ]
         return theta_i_deg, curves
 
     @routes.get("/curves", response_model=CurvesOut, summary="Reflectance over the angle")

@@ -29,6 +29,7 @@ def describe(model: Model) -> dict[str, Any]:
         "reference": model.reference,
         "validity": model.validity,
         "cost": asdict(model.cost),
+        "measured": [asdict(measured) for measured in model.measured],
     }
 
 

@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Sequence
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
-from app.api.problems import BadParameters, ParameterError
-from app.optics.errors import NotAllowed
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, Parameter
-from app.optics.registry import Model, Registry
 
 MAX_SAMPLES = 20001
 
@@ -90,74 +85,3 @@ class SamplesQuery(QueryModel):
         False,
         description="Add Brewster's, the critical and the pseudo-Brewster angle to the samples.",
     )
-
-
-ModelsParameter = Annotated[
-    str,
-    Field(
-        description="Comma-separated ids of models, as listed at /models.",
-        examples=["exact,schlick"],
-    ),
-]
-
-
-def parse_models(text: str, registry: Registry) -> list[Model]:
-    """Look up comma-separated model ids.
-
-    Raises
-    ------
-    UnknownModel
-        If an id is not registered, naming the nearest.
-    NotAllowed
-        If an id is given twice.
-    """
-    ids = [part.strip() for part in text.split(",")]
-    models = [registry.find(model_id) for model_id in ids]
-    repeated = [model_id for model_id, count in Counter(ids).items() if count > 1]
-    if repeated:
-        raise NotAllowed("models", text, f"each model once; {repeated[0]} is there twice")
-    return models
-
-
-def with_model_parameters(base: type[QueryModel], registry: Registry) -> type[QueryModel]:
-    """Extend a query by every registered model's parameters, spelled `<model>.<parameter>`."""
-    fields: dict[str, Any] = {
-        f"{model.id}__{parameter.name}": (
-            Number if parameter.default is not None else Number | None,
-            number(parameter, alias=f"{model.id}.{parameter.name}"),
-        )
-        for model in registry.values()
-        for parameter in model.parameters
-    }
-    return create_model(f"{base.__name__}WithModels", __base__=base, **fields)
-
-
-def model_arguments(query: QueryModel, model: Model) -> dict[str, float | None]:
-    """Values of a model's own parameters in the query."""
-    return {p.name: getattr(query, f"{model.id}__{p.name}") for p in model.parameters}
-
-
-def refuse_foreign_parameters(
-    query: QueryModel, models: Sequence[Model], registry: Registry
-) -> None:
-    """Refuse parameters of models that were not asked for, which would otherwise be lost.
-
-    Raises
-    ------
-    BadParameters
-        If there is one.
-    """
-    asked = {model.id for model in models}
-    errors: list[ParameterError] = [
-        {
-            "parameter": f"{model.id}.{p.name}",
-            "value": getattr(query, f"{model.id}__{p.name}"),
-            "message": f"given although {model.id} is not among the models asked for",
-        }
-        for model in registry.values()
-        if model.id not in asked
-        for p in model.parameters
-        if f"{model.id}__{p.name}" in query.model_fields_set
-    ]
-    if errors:
-        raise BadParameters(*errors)

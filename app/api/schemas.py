@@ -86,6 +86,20 @@ class ParameterOut(BaseModel):
     maximum: float
     unit: str
     description: str
+    integer: bool = Field(description="Whether only whole numbers make sense.")
+    choices: list[tuple[str, float]] = Field(description="The only values, where not all are.")
+    triple: bool = Field(description="Whether three values, for R, G and B, give three curves.")
+
+
+class MeasuredOut(BaseModel):
+    """The error of a model at one interface, which a test measures again."""
+
+    n_i: float
+    n_t: float
+    k_t: float
+    max_abs: float = Field(description="Largest |R - exact| over the hemisphere.")
+    at_deg: float = Field(description="Angle where it is reached.")
+    rms: float = Field(description="Root mean square over the solid angle.")
 
 
 class ModelOut(BaseModel):
@@ -100,6 +114,7 @@ class ModelOut(BaseModel):
     reference: str
     validity: str
     cost: dict[str, int] = Field(description="Operations of one evaluation.")
+    measured: list[MeasuredOut] = Field(description="Errors at representative interfaces.")
 
 
 class ModelsOut(BaseModel):

@@ -1,0 +1,122 @@
+"""Which models a query asks for, and their own parameters, spelled `<model>.<parameter>`."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+from pydantic import BeforeValidator, Field, WithJsonSchema, create_model
+
+from app.api.params import Count, Number, QueryModel, number
+from app.api.problems import BadParameters, ParameterError
+from app.optics.errors import NotAllowed
+from app.optics.parameters import Parameter
+from app.optics.registry import Model, Registry
+
+ModelsParameter = Annotated[
+    str,
+    Field(
+        description="Comma-separated ids of models, as listed at /models.",
+        examples=["exact,schlick"],
+    ),
+]
+
+
+def parse_models(text: str, registry: Registry) -> list[Model]:
+    """Look up comma-separated model ids.
+
+    Raises
+    ------
+    UnknownModel
+        If an id is not registered, naming the nearest.
+    NotAllowed
+        If an id is given twice.
+    """
+    ids = [part.strip() for part in text.split(",")]
+    models = [registry.find(model_id) for model_id in ids]
+    repeated = [model_id for model_id, count in Counter(ids).items() if count > 1]
+    if repeated:
+        raise NotAllowed("models", text, f"each model once; {repeated[0]} is there twice")
+    return models
+
+
+def with_model_parameters(base: type[QueryModel], registry: Registry) -> type[QueryModel]:
+    """Extend a query by every registered model's parameters."""
+    fields: dict[str, Any] = {
+        _field_name(model, parameter): _field(model, parameter)
+        for model in registry.values()
+        for parameter in model.parameters
+    }
+    return create_model(f"{base.__name__}WithModels", __base__=base, **fields)
+
+
+def model_arguments(query: QueryModel, model: Model) -> dict[str, ArrayLike | None]:
+    """Values of a model's own parameters in the query; a triple has the shape (3, 1)."""
+    values = {p.name: getattr(query, _field_name(model, p)) for p in model.parameters}
+    return {
+        name: np.array(value)[:, np.newaxis] if isinstance(value, tuple) else value
+        for name, value in values.items()
+    }
+
+
+def refuse_foreign_parameters(
+    query: QueryModel, models: Sequence[Model], registry: Registry
+) -> None:
+    """Refuse parameters of models that were not asked for, which would otherwise be lost.
+
+    Raises
+    ------
+    BadParameters
+        If there is one.
+    """
+    asked = {model.id for model in models}
+    errors: list[ParameterError] = [
+        {
+            "parameter": f"{model.id}.{p.name}",
+            "value": getattr(query, _field_name(model, p)),
+            "message": f"given although {model.id} is not among the models asked for",
+        }
+        for model in registry.values()
+        if model.id not in asked
+        for p in model.parameters
+        if _field_name(model, p) in query.model_fields_set
+    ]
+    if errors:
+        raise BadParameters(*errors)
+
+
+def _field_name(model: Model, parameter: Parameter) -> str:
+    return f"{model.id}__{parameter.name}"
+
+
+def _field(model: Model, parameter: Parameter) -> tuple[Any, Any]:
+    """Type and pydantic field of one parameter."""
+    alias = f"{model.id}.{parameter.name}"
+    if parameter.choices:
+        names = tuple(name for name, _ in parameter.choices)
+        default = next(n for n, value in parameter.choices if value == parameter.default)
+        return Literal[names], Field(default, alias=alias, description=parameter.description)
+    if parameter.triple:
+        # The core checks the bounds, which pydantic cannot put on one number or three.
+        description = f"{parameter.description} One number, or three for R, G and B."
+        schema = WithJsonSchema({"type": "string", "examples": ["0.04", "1.0,0.766,0.336"]})
+        kind: Any = Annotated[float | tuple[float, ...] | None, BeforeValidator(_triple), schema]
+        return kind, Field(parameter.default, alias=alias, description=description)
+    kind = Count if parameter.integer else Number
+    return (
+        kind if parameter.default is not None else kind | None,
+        number(parameter, alias=alias),
+    )
+
+
+def _triple(text: object) -> object:
+    """Split three comma-separated numbers."""
+    if not isinstance(text, str) or "," not in text:
+        return text
+    parts = tuple(text.split(","))
+    if len(parts) != 3:
+        raise ValueError("one number, or three separated by commas")
+    return parts
