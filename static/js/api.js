@@ -1,0 +1,150 @@
+/** The only module that talks to the server. */
+
+export const BASE = "api/v1";
+
+/** An error answer (RFC 9457), a broken connection, or an answer that cannot be read. */
+export class Problem extends Error {
+  /**
+   * @param {string} title
+   * @param {{status?: number, detail?: string, errors?: {parameter?: string, value?: unknown, message: string}[]}} [rest]
+   */
+  constructor(title, { status = 0, detail = "", errors = [] } = {}) {
+    super(title);
+    this.title = title;
+    this.status = status;
+    this.detail = detail;
+    this.errors = errors;
+  }
+}
+
+/**
+ * @param {string} path below the API's prefix, with its leading slash
+ * @param {AbortSignal} [signal]
+ * @returns {Promise<any>}
+ */
+export async function load(path, signal) {
+  let response;
+  try {
+    response = await fetch(`${BASE}${path}`, signal ? { signal } : {});
+  } catch (error) {
+    if (error instanceof DOMException && error.name === "AbortError") throw error;
+    throw new Problem("The server does not answer", {
+      detail: "Is it running, and are you online?",
+    });
+  }
+  let body;
+  try {
+    body = await response.json();
+  } catch (error) {
+    if (error instanceof DOMException && error.name === "AbortError") throw error;
+    body = null;
+  }
+  if (!response.ok) {
+    throw new Problem(body?.title ?? `The server answered ${response.status}`, {
+      status: response.status,
+      detail: body?.detail ?? "",
+      errors: Array.isArray(body?.errors) ? body.errors : [],
+    });
+  }
+  if (body === null)
+    throw new Problem("The server's answer cannot be read", { status: response.status });
+  return body;
+}
+
+/**
+ * A question that is asked again and again while something moves: one request is in flight, of those
+ * that wait only the newest is kept, and a request that is slow while a newer one waits is aborted.
+ * @param {object} options
+ * @param {(data: any) => void} options.onAnswer
+ * @param {(problem: Problem) => void} options.onProblem
+ * @param {(busy: boolean) => void} [options.onBusy]
+ * @param {(path: string, signal?: AbortSignal) => Promise<any>} [options.get]
+ * @param {number} [options.patience] ms that a stale request may still take
+ */
+export function createQuery({
+  onAnswer,
+  onProblem,
+  onBusy = () => {},
+  get = load,
+  patience = 300,
+}) {
+  /** @type {{path: string, started: number, abort: AbortController} | null} */
+  let flight = null;
+  /** @type {string | null} */
+  let waiting = null;
+  /** @type {string | null} */
+  let answered = null;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
+
+  /** @param {string} path */
+  async function send(path) {
+    const own = { path, started: Date.now(), abort: new AbortController() };
+    flight = own;
+    onBusy(true);
+    try {
+      const data = await get(path, own.abort.signal);
+      if (flight !== own) return;
+      answered = path;
+      onAnswer(data);
+    } catch (error) {
+      if (flight !== own) return;
+      // A newer question waits: what went wrong with this one is of no interest.
+      if (waiting === null) {
+        answered = null;
+        onProblem(
+          error instanceof Problem
+            ? error
+            : new Problem("The answer could not be shown", { detail: String(error) }),
+        );
+      }
+    }
+    next();
+  }
+
+  function next() {
+    clearTimeout(timer);
+    flight = null;
+    const path = waiting;
+    waiting = null;
+    if (path === null || path === answered) onBusy(false);
+    else void send(path);
+  }
+
+  return {
+    /** @param {string} path */
+    request(path) {
+      if (!flight) {
+        if (path !== answered) void send(path);
+        return;
+      }
+      if (flight.path === path) {
+        waiting = null;
+        clearTimeout(timer);
+        return;
+      }
+      if (waiting === null) {
+        const stale = flight;
+        timer = setTimeout(
+          () => {
+            if (flight !== stale) return;
+            stale.abort.abort();
+            next();
+          },
+          Math.max(0, patience - (Date.now() - flight.started)),
+        );
+      }
+      waiting = path;
+    },
+
+    /** Forget what is asked and what was answered; the next request is sent in any case. */
+    cancel() {
+      clearTimeout(timer);
+      flight?.abort.abort();
+      flight = null;
+      waiting = null;
+      answered = null;
+      onBusy(false);
+    },
+  };
+}

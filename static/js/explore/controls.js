@@ -1,0 +1,300 @@
+/** The controls of the Explore view, made from the declared parameters. */
+
+import { createChoice } from "../controls/choice.js";
+import { createMedia } from "../controls/media.js";
+import { createRow } from "../controls/row.js";
+import { h, setText, symbol } from "../dom.js";
+import { evaluateAngle } from "../expression.js";
+import { angle, inDegrees, plain } from "../format.js";
+import { modelStyle } from "../palette.js";
+import { sample } from "./sample.js";
+
+/**
+ * @typedef {import('../types.js').Catalog} Catalog
+ * @typedef {import('../types.js').State} State
+ * @typedef {import('../types.js').Parameter} Parameter
+ * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
+ * @typedef {Pick<import('../controls/row.js').RowOptions, 'label' | 'range' | 'wide' | 'steps'>} Manner
+ */
+
+/** How the parameters of the surface are moved; what they may be is declared by the server. @type {Record<string, Manner>} */
+const MANNERS = {
+  n_i: {
+    label: "incident index",
+    range: [1, 3],
+    wide: [0.1, 10],
+    steps: { step: 0.01, fine: 0.001, page: 0.1 },
+  },
+  n_t: {
+    label: "second index",
+    range: [1, 3],
+    wide: [0.1, 10],
+    steps: { step: 0.01, fine: 0.001, page: 0.1 },
+  },
+  k_t: {
+    label: "extinction",
+    range: [0, 5],
+    wide: [0, 20],
+    steps: { step: 0.01, fine: 0.001, page: 0.1 },
+  },
+  theta_i_deg: {
+    label: "angle of incidence",
+    range: [0, 90],
+    steps: { step: 0.5, fine: 0.05, page: 5 },
+  },
+};
+export const ANGLE_STEPS = { step: 0.5, fine: 0.05, page: 5 };
+
+/** @param {Parameter} parameter a model's own @returns {Manner} */
+function ownManner({ description, minimum, maximum, integer }) {
+  const span = maximum - minimum;
+  const steps = integer
+    ? { step: 1, fine: 1, page: 10 }
+    : { step: span / 100, fine: span / 1000, page: span / 10 };
+  return { label: description, range: [minimum, maximum], steps };
+}
+
+/**
+ * @param {object} options
+ * @param {Catalog} options.catalog
+ * @param {State} options.presets the state's defaults
+ * @param {() => State} options.state
+ * @param {Actions} options.actions
+ */
+export function createControls({ catalog, presets, state, actions }) {
+  const unit = () => state().angle;
+  /** A value of one's own is no preset any more. @type {Record<string, string>} */
+  const preset = { n_i: "incident", n_t: "material", k_t: "material" };
+
+  /** @param {string} name @param {number | null} value @param {boolean} moving */
+  function change(name, value, moving) {
+    /** @type {State} */
+    const patch = { [name]: value };
+    const side = preset[name];
+    if (side) patch[side] = null;
+    actions.set(patch, { history: moving ? "replace" : "push" });
+  }
+
+  /** @param {Parameter} parameter @param {Manner} manner @param {string} [name] */
+  function row(parameter, manner, name = parameter.name) {
+    const isAngle = parameter.unit === "deg";
+    return createRow({
+      parameter: { ...parameter, name },
+      preset: presets[name],
+      ...manner,
+      onChange: (value, moving) => change(name, value, moving),
+      onSettle: actions.settle,
+      ...(isAngle && {
+        writing: {
+          print: (/** @type {number} */ v) =>
+            unit() === "rad" ? angle(v, "rad") : `${plain(v, 6)}°`,
+          parse(/** @type {string} */ text) {
+            const typed = evaluateAngle(text, unit());
+            return inDegrees(typed.value, typed.unit);
+          },
+          allowed: () =>
+            `${angle(parameter.minimum, unit())} to ${angle(parameter.maximum, unit())}`,
+        },
+      }),
+    });
+  }
+
+  const rows = new Map(
+    catalog.parameters
+      .filter((p) => p.name in MANNERS)
+      .map((p) => [p.name, row(p, /** @type {Manner} */ (MANNERS[p.name]))]),
+  );
+  /** @type {Map<string, {model: string, row: import('../controls/row.js').Row}>} */
+  const ownRows = new Map();
+  for (const model of catalog.models) {
+    for (const parameter of model.parameters) {
+      const name = `${model.id}.${parameter.name}`;
+      ownRows.set(name, { model: model.id, row: row(parameter, ownManner(parameter), name) });
+    }
+  }
+
+  const media = createMedia({
+    materials: catalog.materials,
+    onPick(side, id) {
+      const material = catalog.materials.find((m) => m.id === id);
+      if (!material) return;
+      actions.set({ [side]: id });
+    },
+    onSwap() {
+      const { n_i, n_t, incident, material } = state();
+      actions.set({ n_i: n_t, n_t: n_i, incident: material, material: incident });
+    },
+  });
+  const polarization = createChoice({
+    legend: "Polarization",
+    items: [
+      { value: "s", label: "s" },
+      { value: "p", label: "p" },
+      { value: "unpolarized", label: "unpolarized" },
+    ],
+    onChange: ([value]) => actions.set({ polarization: value }),
+  });
+  const angles = createChoice({
+    legend: "Angles",
+    items: [
+      { value: "deg", label: "degrees" },
+      { value: "rad", label: "radians" },
+    ],
+    onChange: ([value]) => actions.set({ angle: value }),
+  });
+  const show = createChoice({
+    legend: "Overlay",
+    several: true,
+    items: [
+      { value: "T", label: "T", content: symbol("T"), note: "transmittance" },
+      { value: "phase", label: "phases", note: "phases of r_s and r_p" },
+      {
+        value: "marks",
+        label: "marks",
+        note: "Brewster's, the critical and the pseudo-Brewster angle",
+      },
+    ],
+    onChange: (picked) =>
+      actions.set({
+        show: picked.filter((p) => p !== "marks"),
+        marks: picked.includes("marks") ? "on" : "off",
+      }),
+  });
+  const overlays = ["approximation", "exact"]
+    .map((kind) => {
+      const models = catalog.models.filter((m) => m.kind === kind && m.id !== "exact");
+      const legend = kind === "exact" ? "Equivalent exact forms" : "Approximations";
+      const group = createChoice({
+        legend,
+        several: true,
+        listed: true,
+        items: models.map((m) => ({
+          value: m.id,
+          label: m.title,
+          note: m.validity,
+          content: h(
+            "span",
+            { class: "overlay-name" },
+            sample(modelStyle(catalog.models, m.id)),
+            m.title,
+          ),
+        })),
+        onChange(picked) {
+          const others = state().models.filter(
+            (/** @type {string} */ id) => !models.some((m) => m.id === id),
+          );
+          actions.set({ models: [...others, ...picked] });
+        },
+      });
+      const count = h("span", { class: "count" });
+      const box = h(
+        "details",
+        { class: "forms", open: kind === "approximation" },
+        h("summary", {}, legend, count),
+        group.element,
+      );
+      return { models, group, box, count };
+    })
+    .filter(({ models }) => models.length > 0);
+  const own = h("div", { class: "own-rows" });
+
+  // On a phone the panel is a sheet at the bottom: a strip of values, one row, the rest on demand.
+  const strip = h("div", { class: "strip", role: "group", "aria-label": "Which value to move" });
+  const pages = [...rows].map(([name, r]) => {
+    const value = h("b", {});
+    const parameter = catalog.parameters.find((p) => p.name === name);
+    const button = h(
+      "button",
+      { type: "button", "aria-pressed": "false" },
+      symbol(parameter?.symbol ?? name),
+      value,
+    );
+    button.addEventListener("click", () => choose(name));
+    strip.append(button);
+    return { name, row: r, button, value };
+  });
+  const opener = h("button", { type: "button", class: "opener", "aria-expanded": "false" }, "all");
+  strip.append(opener);
+
+  const body = h(
+    "div",
+    { class: "panel-body" },
+    h("div", { class: "heading" }, h("h2", {}, "Media")),
+    media.element,
+    h("div", { class: "rows" }, ...[...rows.values()].map((r) => r.element)),
+    h(
+      "div",
+      { class: "choices" },
+      polarization.element,
+      angles.element,
+      show.element,
+      ...overlays.map((o) => o.box),
+      own,
+    ),
+  );
+  const element = h(
+    "section",
+    { class: "panel", "aria-label": "Controls", "data-sheet": "closed" },
+    strip,
+    body,
+  );
+  opener.addEventListener("click", () => {
+    const open = element.dataset.sheet !== "open";
+    element.dataset.sheet = open ? "open" : "closed";
+    opener.setAttribute("aria-expanded", String(open));
+    opener.textContent = open ? "close" : "all";
+  });
+
+  /** @param {string} name */
+  function choose(name) {
+    for (const page of pages) {
+      const on = page.name === name;
+      page.button.setAttribute("aria-pressed", String(on));
+      page.row.element.toggleAttribute("data-chosen", on);
+    }
+  }
+  choose("theta_i_deg");
+
+  return {
+    element,
+    stop() {
+      for (const r of rows.values()) r.stop();
+      for (const { row: r } of ownRows.values()) r.stop();
+    },
+    /**
+     * @param {State} now
+     * @param {import('../types.js').Landmark[]} landmarks
+     * @param {Map<string, string>} reasons why a model is outside its domain here
+     */
+    update(now, landmarks, reasons) {
+      media.update(/** @type {any} */ (now));
+      /** @type {Record<string, {value: number, label: string}[]>} */
+      const marks = {
+        n_i: [{ value: now.n_t, label: "equal to n_t" }],
+        n_t: [{ value: now.n_i, label: "equal to n_i" }],
+        theta_i_deg: landmarks.map((l) => ({ value: l.deg, label: l.label })),
+      };
+      for (const { name, row: r, value } of pages) {
+        r.update(now[name], marks[name] ?? []);
+        const text =
+          name === "theta_i_deg"
+            ? angle(now[name], now.angle, now.angle === "deg" ? 1 : 3)
+            : plain(now[name], 4);
+        setText(value, text);
+      }
+      polarization.update([now.polarization]);
+      angles.update([now.angle]);
+      show.update([...now.show, ...(now.marks === "on" ? ["marks"] : [])]);
+      for (const { group, models, count } of overlays) {
+        group.update(now.models, reasons);
+        const chosen = models.filter((m) => now.models.includes(m.id)).length;
+        setText(count, chosen ? ` ${chosen} of ${models.length}` : ` ${models.length}`);
+      }
+      const wanted = [...ownRows].filter(([, { model }]) => now.models.includes(model));
+      const elements = wanted.map(([, o]) => o.row.element);
+      if (elements.length !== own.children.length || elements.some((e, i) => own.children[i] !== e))
+        own.replaceChildren(...elements);
+      for (const [name, { row: r }] of wanted) r.update(now[name]);
+    },
+  };
+}

@@ -1,0 +1,61 @@
+/** What the curves are: formula, source and validity of each model shown, typeset on demand. */
+
+import { h } from "../dom.js";
+
+/** @typedef {import('../types.js').Model} Model */
+
+/**
+ * @param {Model[]} models
+ * @param {(latex: string, element: HTMLElement) => Promise<void>} typeset
+ */
+export function createDefinitions(models, typeset) {
+  const list = h("div", { class: "definition-list" });
+  const element = h(
+    "details",
+    { class: "definitions" },
+    h("summary", {}, "Formulas and sources of these curves"),
+    list,
+  );
+  /** @type {string[]} */
+  let wanted = [];
+  let shown = "";
+
+  async function fill() {
+    if (!element.open || shown === wanted.join()) return;
+    shown = wanted.join();
+    const entries = models
+      .filter((m) => wanted.includes(m.id))
+      .map((model) => {
+        const formula = h("div", {
+          class: "formula",
+          tabindex: "0",
+          role: "group",
+          "aria-label": `Formula of ${model.title}`,
+        });
+        return {
+          model,
+          formula,
+          block: h(
+            "section",
+            {},
+            h("h3", {}, model.title),
+            formula,
+            h("p", {}, model.validity),
+            h("p", { class: "source" }, model.reference),
+          ),
+        };
+      });
+    list.replaceChildren(...entries.map((e) => e.block));
+    for (const { model, formula } of entries) await typeset(model.latex, formula);
+  }
+
+  element.addEventListener("toggle", fill);
+  return {
+    element,
+    /** @param {string[]} ids */
+    update(ids) {
+      wanted = ["exact", ...ids];
+      void fill();
+    },
+  };
+}

@@ -1,0 +1,196 @@
+/** The numbers of the Explore view: shown with six digits, copied in full. */
+
+import { copyText, flash } from "../clipboard.js";
+import { h, setText, symbol } from "../dom.js";
+import { angle, inUnit, six } from "../format.js";
+
+/**
+ * @typedef {import('./reading.js').Reading} Reading
+ * @typedef {'deg' | 'rad'} Unit
+ * @typedef {{name: string, heading: Node | string, get: (r: Reading) => number | null | undefined, degrees?: boolean,
+ *   only?: (r: Reading) => boolean}} Entry
+ */
+
+/** @type {() => Entry[]} */
+const SUMMARY = () => [
+  { name: "R", heading: symbol("R"), get: (r) => r.R },
+  { name: "Rs", heading: symbol("R_s"), get: (r) => r.Rs },
+  { name: "Rp", heading: symbol("R_p"), get: (r) => r.Rp },
+  { name: "T", heading: symbol("T"), get: (r) => r.T },
+  { name: "F0", heading: symbol("F_0"), get: (r) => r.interface.F0 },
+  { name: "F82", heading: symbol("F_{82}"), get: (r) => r.interface.F82 },
+  { name: "theta_t", heading: symbol("\\theta_t"), get: (r) => r.theta_t_deg, degrees: true },
+  {
+    name: "penetration_depth_wavelengths",
+    heading: "depth / λ",
+    get: (r) => r.penetration_depth_wavelengths,
+  },
+  { name: "brewster", heading: "Brewster", get: (r) => r.interface.brewster_deg, degrees: true },
+  { name: "critical", heading: "critical", get: (r) => r.interface.critical_deg, degrees: true },
+  {
+    name: "pseudo_brewster",
+    heading: "pseudo-Brewster",
+    get: (r) => r.interface.pseudo_brewster_deg,
+    degrees: true,
+  },
+  { name: "eta", heading: symbol("\\eta"), get: (r) => r.interface.eta },
+];
+
+const AMPLITUDES = /** @type {const} */ (["r_s", "r_p", "t_s", "t_p"]);
+const PARTS = /** @type {const} */ (["re", "im", "abs", "phase_deg"]);
+
+/** @returns {Entry[][]} a row for each amplitude */
+function amplitudeEntries() {
+  return AMPLITUDES.map((a) =>
+    PARTS.map((part) => ({
+      name: `${a}.${part === "phase_deg" ? "phase" : part}`,
+      heading: symbol(a),
+      get: (/** @type {Reading} */ r) => r.snell?.[a][part],
+      degrees: part === "phase_deg",
+    })),
+  );
+}
+
+/** @param {(message: string) => void} say */
+export function createNumbers(say) {
+  /** @type {Reading | null} */
+  let reading = null;
+  /** @type {Unit} */
+  let unit = "deg";
+
+  /** @param {Entry} entry @returns {number | null | undefined} */
+  function full(entry) {
+    const value = reading ? entry.get(reading) : undefined;
+    return entry.degrees && typeof value === "number" ? inUnit(value, unit) : value;
+  }
+
+  /** @param {Entry} entry */
+  function cell(entry) {
+    const value = h("button", { type: "button", class: "number", tabindex: "-1" });
+    value.addEventListener("click", async () => {
+      const number = full(entry);
+      if (number === undefined) return;
+      const done = await copyText(number === null ? "none" : String(number));
+      flash(value, done);
+      say(done ? `${entry.name} copied` : "Copying is not allowed here");
+    });
+    return { entry, value };
+  }
+
+  const summary = SUMMARY().map(cell);
+  const amplitudes = amplitudeEntries().map((row) => row.map(cell));
+  const all = [...summary, ...amplitudes.flat()];
+
+  const grid = h(
+    "dl",
+    { class: "numbers" },
+    ...summary.map(({ entry, value }) =>
+      h("div", {}, h("dt", {}, entry.heading), h("dd", {}, value)),
+    ),
+  );
+  const table = h(
+    "table",
+    { class: "amplitudes" },
+    h(
+      "thead",
+      {},
+      h(
+        "tr",
+        {},
+        h("td"),
+        ...["real", "imaginary", "modulus", "phase"].map((t) => h("th", { scope: "col" }, t)),
+      ),
+    ),
+    h(
+      "tbody",
+      {},
+      ...amplitudes.map((row) =>
+        h(
+          "tr",
+          {},
+          h("th", { scope: "row" }, row[0]?.entry.heading),
+          ...row.map(({ value }) => h("td", {}, value)),
+        ),
+      ),
+    ),
+  );
+
+  roving(
+    grid,
+    summary.map((c) => c.value),
+    () => getComputedStyle(grid).gridTemplateColumns.split(" ").length,
+  );
+  roving(
+    table,
+    amplitudes.flat().map((c) => c.value),
+    () => PARTS.length,
+  );
+
+  const copyAll = h("button", { type: "button", class: "quiet" }, "copy all");
+  copyAll.addEventListener("click", async () => {
+    if (!reading) return;
+    const { n_i, n_t, k_t } = reading.interface;
+    const rows = [
+      ["n_i", n_i],
+      ["n_t", n_t],
+      ["k_t", k_t],
+      [`theta_i_${unit}`, inUnit(reading.theta_i_deg, unit)],
+      ...all.map(({ entry }) => [
+        entry.degrees ? `${entry.name}_${unit}` : entry.name,
+        full(entry) ?? "none",
+      ]),
+    ];
+    const done = await copyText(`${rows.map((r) => r.join("\t")).join("\n")}\n`);
+    flash(copyAll, done);
+    say(done ? `${rows.length} numbers copied` : "Copying is not allowed here");
+  });
+
+  return {
+    grid,
+    table,
+    copyAll,
+    /** @param {Reading} next @param {Unit} nextUnit */
+    update(next, nextUnit) {
+      reading = next;
+      unit = nextUnit;
+      // The amplitudes come with the server's answer for this very angle; until then the last ones stay, dimmed.
+      table.toggleAttribute("data-stale", next.snell === null);
+      for (const { entry, value } of all) {
+        const number = entry.get(next);
+        if (number === undefined) continue;
+        setText(value, entry.degrees ? angle(number, unit) : six(number));
+        const label = `${entry.name}: ${value.textContent}, copy`;
+        if (value.ariaLabel !== label) value.ariaLabel = label;
+        value.toggleAttribute("data-none", number === null);
+      }
+    },
+  };
+}
+
+/**
+ * One stop for the Tab key; arrows move between the numbers.
+ * @param {HTMLElement} element
+ * @param {HTMLElement[]} cells
+ * @param {() => number} columns
+ */
+function roving(element, cells, columns) {
+  let at = 0;
+  if (cells[0]) cells[0].tabIndex = 0;
+  element.addEventListener("focusin", (event) => {
+    const next = cells.indexOf(/** @type {HTMLElement} */ (event.target));
+    if (next < 0) return;
+    const last = cells[at];
+    if (last) last.tabIndex = -1;
+    at = next;
+    const now = cells[at];
+    if (now) now.tabIndex = 0;
+  });
+  element.addEventListener("keydown", (event) => {
+    const move = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: columns(), ArrowUp: -columns() }[
+      event.key
+    ];
+    if (move === undefined) return;
+    event.preventDefault();
+    cells[at + move]?.focus();
+  });
+}

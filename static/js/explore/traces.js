@@ -1,0 +1,116 @@
+/** What the plot of the Explore view shows, in the unit of its axis. */
+
+import { inUnit } from "../format.js";
+import { modelStyle } from "../palette.js";
+import { landmarksOf, values } from "./reading.js";
+
+/**
+ * @typedef {import('../types.js').Curves} Curves
+ * @typedef {import('../types.js').Model} Model
+ * @typedef {{polarization: string, angle: 'deg' | 'rad', show: string[], models: string[], marks: boolean}} Shown
+ */
+
+/**
+ * @param {Curves} curves
+ * @param {Shown} shown
+ * @param {Model[]} models
+ */
+export function tracesOf(curves, shown, models) {
+  const x =
+    shown.angle === "deg" ? curves.theta_i_deg : curves.theta_i_deg.map((d) => inUnit(d, "rad"));
+  const chosen = { s: "Rs", p: "Rp", unpolarized: "R" }[shown.polarization];
+  /** @param {string} id @param {number} width */
+  const weight = (id, width) => (id === chosen ? Math.max(width, 2.6) : width);
+  const exact = [
+    { id: "Rs", label: "Rₛ", color: "--Rs", dash: "solid", width: weight("Rs", 1.9) },
+    { id: "Rp", label: "Rₚ", color: "--Rp", dash: "dash", width: weight("Rp", 1.9) },
+    { id: "R", label: "R", color: "--R", dash: "solid", width: 2.6 },
+  ];
+  if (shown.show.includes("T"))
+    exact.push({ id: "T", label: "T", color: "--T", dash: "longdash", width: 1.9 });
+  /** @type {import('../types.js').Trace[]} */
+  const traces = exact.map((line) => ({ ...line, x, y: values(curves, line.id) }));
+  for (const id of shown.models) {
+    const y = values(curves, "R", id);
+    // The overlay may have been chosen a moment ago, and its curve still be under way.
+    if (y.length)
+      traces.push({
+        id,
+        label: models.find((m) => m.id === id)?.title ?? id,
+        x,
+        y,
+        width: 1.9,
+        ...modelStyle(models, id),
+      });
+  }
+  if (shown.show.includes("phase")) {
+    for (const [id, label, color, dash] of /** @type {const} */ ([
+      ["phase_s_deg", "phase s", "--phase-s", "dot"],
+      ["phase_p_deg", "phase p", "--phase-p", "dashdot"],
+    ])) {
+      const y = values(curves, id).map((d) => (d === null ? null : inUnit(d, shown.angle)));
+      if (y.length)
+        traces.push({
+          id,
+          label,
+          x,
+          y,
+          color,
+          dash,
+          width: 1.4,
+          axis: "y2",
+          unit: shown.angle === "deg" ? "°" : " rad",
+        });
+    }
+  }
+  return traces;
+}
+
+/** @param {Curves} curves @param {Shown} shown */
+export function marksOf(curves, shown) {
+  if (!shown.marks) return [];
+  return landmarksOf(curves.interface).map(({ deg, label }) => ({
+    x: inUnit(deg, shown.angle),
+    label,
+    kind: /** @type {const} */ ("landmark"),
+  }));
+}
+
+const DEGREES = [0, 15, 30, 45, 60, 75, 90];
+const TWELFTHS = ["0", "π/12", "π/6", "π/4", "π/3", "5π/12", "π/2"];
+const PHASES = [-180, -90, 0, 90, 180];
+const HALVES = ["−π", "−π/2", "0", "π/2", "π"];
+
+/** @param {Shown} shown */
+export function axesOf(shown) {
+  const rad = shown.angle === "rad";
+  return {
+    name: "Reflectance against the angle of incidence",
+    x: {
+      title: `angle of incidence θᵢ (${rad ? "rad" : "degrees"})`,
+      range: /** @type {[number, number]} */ ([0, inUnit(90, shown.angle)]),
+      ticks: {
+        values: DEGREES.map((d) => inUnit(d, shown.angle)),
+        text: rad ? TWELFTHS : DEGREES.map((d) => `${d}°`),
+      },
+      unit: rad ? " rad" : "°",
+    },
+    y: {
+      title: shown.show.includes("T") ? "reflectance, transmittance" : "reflectance",
+      range: /** @type {[number, number]} */ ([0, 1]),
+    },
+    y2: shown.show.includes("phase")
+      ? {
+          title: "phase",
+          range: /** @type {[number, number]} */ ([
+            inUnit(-190, shown.angle),
+            inUnit(190, shown.angle),
+          ]),
+          ticks: {
+            values: PHASES.map((d) => inUnit(d, shown.angle)),
+            text: rad ? HALVES : PHASES.map((d) => `${d}°`.replace("-", "−")),
+          },
+        }
+      : null,
+  };
+}

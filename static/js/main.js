@@ -1,0 +1,275 @@
+/** The wiring: state -> api -> views. */
+
+import { createQuery, load, Problem } from "./api.js";
+import { canBeIncident } from "./controls/media.js";
+import { byId, h } from "./dom.js";
+import { createShell } from "./shell.js";
+import { choice, createState, number, optional } from "./state.js";
+import { typeset } from "./typeset.js";
+
+/**
+ * @typedef {import('./types.js').Catalog} Catalog
+ * @typedef {import('./types.js').State} State
+ * @typedef {import('./types.js').ViewModule} ViewModule
+ */
+
+/**
+ * A further view is one line here and one file in views/.
+ * @type {{id: string, title: string, load: () => Promise<ViewModule>}[]}
+ */
+const VIEWS = [{ id: "explore", title: "Explore", load: () => import("./views/explore.js") }];
+
+const PAGE_ANGLE = 64; // where the page starts: R, Rs and Rp are well apart
+const SAY_AFTER = 900; // ms of rest before the numbers are spoken
+
+/** @param {Catalog} catalog @returns {Record<string, import('./state.js').Field>} the state that all views share */
+function sharedFields({ parameters, materials }) {
+  const ids = materials.map((m) => m.id);
+  const own = ["n_i", "n_t", "k_t", "theta_i_deg"].map((name) => {
+    const declared = parameters.find((p) => p.name === name);
+    if (!declared)
+      throw new Problem("The server's parameters cannot be used", { detail: `${name} is missing` });
+    const preset = name === "theta_i_deg" ? PAGE_ANGLE : (declared.default ?? declared.minimum);
+    return [name, number({ ...declared, default: preset })];
+  });
+  return {
+    view: choice(
+      "explore",
+      VIEWS.map((v) => v.id),
+    ),
+    incident: optional(materials.filter(canBeIncident).map((m) => m.id)),
+    material: optional(ids),
+    ...Object.fromEntries(own),
+    polarization: choice("unpolarized", ["s", "p", "unpolarized"]),
+    angle: choice("deg", ["deg", "rad"]),
+  };
+}
+
+/** @param {import('./types.js').Material[]} materials */
+function impliedBy(materials) {
+  /** @param {State} state @returns {State} */
+  return ({ incident, material }) => {
+    const from = materials.find((m) => m.id === incident);
+    const into = materials.find((m) => m.id === material);
+    return { ...(from && { n_i: from.n }), ...(into && { n_t: into.n, k_t: into.k ?? 0 }) };
+  };
+}
+
+/** @param {Problem} problem @returns {string[]} */
+function lines({ detail, errors }) {
+  const each = errors.map((e) =>
+    e.parameter ? `${e.parameter} = ${String(e.value)}: ${e.message}` : e.message,
+  );
+  return each.length ? each : [detail].filter(Boolean);
+}
+
+/** @param {string} name @param {Blob} blob */
+function save(name, blob) {
+  const url = URL.createObjectURL(blob);
+  const link = h("a", { href: url, download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+/** The short table that everybody knows comes first. @param {import('./types.js').Material[]} materials */
+function byTable(materials) {
+  const common = materials.filter((m) => m.id.endsWith("-shirley"));
+  return [...common, ...materials.filter((m) => !common.includes(m))];
+}
+
+/** @returns {Promise<Catalog>} */
+async function fetchCatalog() {
+  const [parameters, models, materials] = await Promise.all([
+    load("/parameters"),
+    load("/models"),
+    load("/materials"),
+  ]);
+  return {
+    parameters: parameters.parameters,
+    models: models.models,
+    materials: byTable(materials.materials),
+  };
+}
+
+async function start() {
+  const main = byId("view");
+  /** @type {Map<string, {module: ViewModule, view: ReturnType<ViewModule['createView']>, host: HTMLElement}>} */
+  const opened = new Map();
+  /** @type {string | null} */
+  let active = null;
+
+  const shell = createShell({
+    views: VIEWS,
+    onView: (id) => store?.set({ view: id }),
+    onTheme: () => {
+      for (const { view } of opened.values()) view.theme();
+    },
+  });
+  /** @type {import('./state.js').StateStore | null} */
+  let store = null;
+
+  /** @type {Catalog} */
+  let catalog;
+  try {
+    catalog = await fetchCatalog();
+  } catch (error) {
+    const problem =
+      error instanceof Problem
+        ? error
+        : new Problem("The page could not start", { detail: String(error) });
+    main.replaceChildren(
+      h("h1", {}, problem.title),
+      h("p", {}, problem.detail),
+      h(
+        "button",
+        { type: "button", class: "quiet", onclick: () => location.reload() },
+        "Try again",
+      ),
+    );
+    return;
+  }
+  void load("/health").then(
+    (health) => shell.showVersion(health.version),
+    () => {},
+  );
+
+  const shared = sharedFields(catalog);
+  const state = createState(shared, { window, implied: impliedBy(catalog.materials) });
+  store = state;
+  /** @type {State} */
+  const presets = { ...state.get() };
+
+  /** @type {Record<string, any>} */
+  let answers = {};
+  /** @type {Map<string, ReturnType<typeof createQuery>>} */
+  const runners = new Map();
+  const busy = new Set();
+  const broken = new Set();
+  let frame = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let speech;
+
+  /** @param {string} name */
+  function runner(name) {
+    let found = runners.get(name);
+    if (!found) {
+      found = createQuery({
+        onAnswer(data) {
+          answers = { ...answers, [name]: data };
+          broken.delete(name);
+          if (broken.size === 0) shell.notice("server", null);
+          schedule();
+        },
+        onProblem(problem) {
+          broken.add(name);
+          shell.notice("server", {
+            title: problem.title,
+            lines: [...lines(problem), answers[name] ? "The last good picture stays." : ""].filter(
+              Boolean,
+            ),
+            action: { label: "Try again", run: ask },
+          });
+        },
+        onBusy(on) {
+          if (on) busy.add(name);
+          else busy.delete(name);
+          shell.setBusy(busy.size > 0);
+        },
+      });
+      runners.set(name, found);
+    }
+    return found;
+  }
+
+  function current() {
+    return active === null ? undefined : opened.get(active);
+  }
+
+  function ask() {
+    const here = current();
+    if (!here) return;
+    for (const [name, path] of Object.entries(here.module.queries(state.get(), catalog)))
+      runner(name).request(path);
+  }
+
+  function schedule() {
+    if (!frame) frame = requestAnimationFrame(draw);
+  }
+
+  function draw() {
+    frame = 0;
+    const here = current();
+    if (!here) return;
+    const now = state.get();
+    here.view.update(now, answers, state.moving());
+    shell.showCalls(here.module.restCalls(now, catalog));
+    clearTimeout(speech);
+    if (!state.moving())
+      speech = setTimeout(() => shell.say(here.view.sentence(now, answers)), SAY_AFTER);
+  }
+
+  /** @param {string} id */
+  async function open(id) {
+    if (active === id) return;
+    current()?.view.deactivate();
+    for (const one of runners.values()) one.cancel();
+    runners.clear();
+    answers = {};
+    active = id;
+    shell.showTab(id);
+    if (!opened.has(id)) {
+      const entry = VIEWS.find((v) => v.id === id);
+      if (!entry) return;
+      const module = await entry.load();
+      const fresh = module.fields(catalog);
+      state.extend(fresh);
+      for (const [key, field] of Object.entries(fresh)) presets[key] = field.default;
+      const host = h("div", { class: `view view-${id}` });
+      // In the document before the view is made: plots read their colours and sizes from it.
+      main.querySelector(".starting")?.remove();
+      main.append(host);
+      const actions = { set: state.set, settle: state.settle };
+      const view = module.createView({
+        element: host,
+        catalog,
+        presets,
+        state: state.get,
+        actions,
+        say: shell.say,
+        save,
+        typeset,
+      });
+      opened.set(id, { module, view, host });
+    }
+    if (active !== id) return; // another tab was chosen while this one loaded
+    for (const [key, { host }] of opened) host.hidden = key !== id;
+  }
+
+  async function followLink() {
+    const asked = new URLSearchParams(location.search).get("view");
+    await open(VIEWS.some((v) => v.id === asked) ? /** @type {string} */ (asked) : "explore");
+    const problems = state.fromQuery(location.search);
+    shell.notice(
+      "link",
+      problems.length === 0
+        ? null
+        : {
+            title: "The link says something that cannot be shown",
+            lines: problems.map((p) => `${p.key} = ${p.text}: ${p.message}`),
+          },
+    );
+  }
+
+  await followLink();
+  state.subscribe(async (now, moving) => {
+    if (now.view !== active) await open(now.view);
+    if (!moving) shell.notice("link", null);
+    ask();
+    schedule();
+  });
+  window.addEventListener("popstate", () => void followLink());
+  ask();
+  schedule();
+}
+
+void start();

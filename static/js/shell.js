@@ -1,0 +1,150 @@
+/** What stands around every view: tabs, theme, notices, the line that shows work, the footer. */
+
+import { copyText, flash } from "./clipboard.js";
+import { byId, h, setText } from "./dom.js";
+
+const THEMES = /** @type {const} */ (["auto", "light", "dark"]);
+
+/**
+ * @param {object} options
+ * @param {{id: string, title: string}[]} options.views
+ * @param {(id: string) => void} options.onView
+ * @param {() => void} options.onTheme
+ */
+export function createShell({ views, onView, onTheme }) {
+  const root = document.documentElement;
+  const said = byId("said");
+  const work = byId("work");
+  const notices = byId("notices");
+  const calls = byId("calls");
+
+  const tabs = views.map(({ id, title }) => {
+    const link = h("a", { href: `?view=${id}` }, title);
+    link.addEventListener("click", (event) => {
+      if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+      event.preventDefault();
+      onView(id);
+    });
+    return { id, link };
+  });
+  document.querySelector(".views")?.append(...tabs.map((t) => t.link));
+
+  const theme = byId("theme");
+  function showTheme() {
+    const choice = root.dataset.themeChoice ?? "auto";
+    setText(theme, choice.charAt(0).toUpperCase() + choice.slice(1));
+    theme.setAttribute("aria-label", `Theme: ${choice}`);
+  }
+  theme.addEventListener("click", () => {
+    const at = THEMES.indexOf(/** @type {any} */ (root.dataset.themeChoice ?? "auto"));
+    root.dispatchEvent(
+      new CustomEvent("themechoice", { detail: THEMES[(at + 1) % THEMES.length] }),
+    );
+  });
+  root.addEventListener("themechange", () => {
+    showTheme();
+    onTheme();
+  });
+  showTheme();
+
+  const copyLink = byId("copy-link");
+  copyLink.addEventListener("click", async () => {
+    const done = await copyText(location.href);
+    flash(copyLink, done);
+    say(done ? "Link copied" : "Copying is not allowed here");
+  });
+
+  /** @param {string} text */
+  function say(text) {
+    setText(said, text);
+  }
+
+  /** @type {Map<string, HTMLElement>} */
+  const open = new Map();
+
+  return {
+    say,
+
+    /** @param {string} active */
+    showTab(active) {
+      for (const { id, link } of tabs) {
+        if (id === active) link.setAttribute("aria-current", "page");
+        else link.removeAttribute("aria-current");
+      }
+      const title = views.find((v) => v.id === active)?.title ?? "";
+      document.title = `${title} · Fresnel Explorer`;
+      setText(byId("view-title"), title);
+    },
+
+    /** @param {boolean} busy */
+    setBusy(busy) {
+      work.toggleAttribute("data-busy", busy);
+    },
+
+    /**
+     * Show a notice, or take it away. One notice for each id.
+     * @param {string} id
+     * @param {{title: string, lines?: string[], action?: {label: string, run: () => void}} | null} notice
+     */
+    notice(id, notice) {
+      open.get(id)?.remove();
+      open.delete(id);
+      if (!notice) return;
+      const close = h(
+        "button",
+        {
+          type: "button",
+          class: "quiet",
+          "aria-label": "Dismiss",
+          onclick: () => this.notice(id, null),
+        },
+        "×",
+      );
+      const { action } = notice;
+      const element = h(
+        "div",
+        { class: "notice", role: "alert", "data-notice": id },
+        h(
+          "div",
+          {},
+          h("b", {}, notice.title),
+          ...(notice.lines ?? []).map((line) => h("p", {}, line)),
+        ),
+        action
+          ? h("button", { type: "button", class: "quiet", onclick: action.run }, action.label)
+          : null,
+        close,
+      );
+      open.set(id, element);
+      notices.append(element);
+    },
+
+    /** @param {string[]} paths of the REST calls that give what is on the screen */
+    showCalls(paths) {
+      while (calls.children.length > paths.length) calls.lastElementChild?.remove();
+      paths.forEach((path, index) => {
+        const line = calls.children[index] ?? calls.appendChild(callLine());
+        const code = /** @type {HTMLElement} */ (line.querySelector("code"));
+        setText(code, `GET /api/v1${path}`);
+      });
+    },
+
+    /** @param {string} version */
+    showVersion(version) {
+      setText(byId("version"), `v${version}`);
+    },
+  };
+
+  function callLine() {
+    const code = h("code");
+    const button = h("button", { type: "button", class: "quiet" }, "copy");
+    button.setAttribute("aria-label", "Copy the address of this call");
+    button.addEventListener("click", async () => {
+      const path = (code.textContent ?? "").replace(/^GET \//, "");
+      const done = await copyText(new URL(path, document.baseURI).href);
+      flash(button, done);
+      say(done ? "Address copied" : "Copying is not allowed here");
+    });
+    return h("p", {}, code, button);
+  }
+}

@@ -1,0 +1,224 @@
+/** One state object; its part that differs from the defaults stands in the URL. */
+
+/**
+ * @typedef {object} Field
+ * @property {any} default
+ * @property {(text: string) => any} parse throws a LinkError for what a link may not say
+ * @property {(value: any) => string} print
+ * @typedef {{key: string, text: string, message: string}} LinkProblem
+ * @typedef {{history?: 'push' | 'replace' | 'none'}} SetOptions
+ */
+
+export class LinkError extends Error {}
+
+/**
+ * A number; null where the declaration has no default, which leaves it to the server.
+ * @param {{default: number | null, minimum: number, maximum: number}} bounds
+ * @returns {Field}
+ */
+export function number({ default: preset, minimum, maximum }) {
+  return {
+    default: preset,
+    parse(text) {
+      const value = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : Number.NaN;
+      if (!(value >= minimum && value <= maximum)) {
+        throw new LinkError(`allowed is a number from ${minimum} to ${maximum}`);
+      }
+      return value;
+    },
+    print: (value) => (value === null ? "" : String(value)),
+  };
+}
+
+/** @param {string} preset @param {string[]} options @returns {Field} */
+export function choice(preset, options) {
+  return {
+    default: preset,
+    parse(text) {
+      if (!options.includes(text)) throw new LinkError(`allowed is one of ${options.join(", ")}`);
+      return text;
+    },
+    print: String,
+  };
+}
+
+/** Any of some words, in the order given. @param {string[]} options @returns {Field} */
+export function list(options) {
+  return {
+    default: Object.freeze([]),
+    parse(text) {
+      const words = text.split(",");
+      const strange = words.find((word) => !options.includes(word));
+      if (strange !== undefined) {
+        throw new LinkError(`“${strange}” is not one of ${options.join(", ")}`);
+      }
+      return Object.freeze([...new Set(words)]);
+    },
+    print: (value) => value.join(","),
+  };
+}
+
+/** One of some ids or none. @param {string[]} options @returns {Field} */
+export function optional(options) {
+  return {
+    default: null,
+    parse(text) {
+      if (!options.includes(text)) throw new LinkError("it is not in the list of media");
+      return text;
+    },
+    print: (value) => value ?? "",
+  };
+}
+
+/**
+ * @param {Record<string, Field>} fields
+ * @param {object} [options]
+ * @param {Pick<Window, 'history' | 'location'> | null} [options.window] whose URL follows the state; null for none
+ * @param {(state: Record<string, any>) => Record<string, any>} [options.implied] values that others imply
+ *   (a preset's indices): they follow from the state and are left out of the link
+ * @param {() => number} [options.now]
+ */
+export function createState(
+  fields,
+  { window: frame = null, implied = () => ({}), now = Date.now } = {},
+) {
+  const schema = { ...fields };
+  /** @type {Record<string, any>} */
+  let current = Object.fromEntries(
+    Object.entries(schema).map(([key, field]) => [key, field.default]),
+  );
+  /** @type {Set<(state: Record<string, any>, moving: boolean) => void>} */
+  const listeners = new Set();
+  let moving = false; // a gesture is open: its history entry exists and is being replaced
+  let written = -Infinity;
+
+  /** @param {Record<string, any>} state */
+  function query(state = current) {
+    const hidden = implied(state);
+    return Object.entries(schema)
+      .filter(
+        ([key, field]) =>
+          !(key in hidden) && field.print(state[key]) !== field.print(field.default),
+      )
+      .map(
+        ([key, field]) =>
+          `${encodeURIComponent(key)}=${encodeURIComponent(field.print(state[key])).replace(/%2C/g, ",")}`,
+      )
+      .join("&");
+  }
+
+  /** @param {'pushState' | 'replaceState'} method */
+  function write(method) {
+    if (!frame) return;
+    const search = query();
+    const target = `${frame.location.pathname}${search ? `?${search}` : ""}`;
+    if (target === `${frame.location.pathname}${frame.location.search}` && method === "pushState")
+      return;
+    frame.history[method](null, "", target);
+    written = now();
+  }
+
+  function tell() {
+    for (const listener of listeners) listener(current, moving);
+  }
+
+  return {
+    get: () => current,
+    moving: () => moving,
+    toQuery: () => query(),
+
+    /**
+     * `replace` is for the values of a gesture (a drag, a key held down): the first one makes the
+     * gesture's history entry, the next ones replace it, and `push` or `settle` closes it.
+     * @param {Record<string, any>} patch
+     * @param {SetOptions} [options]
+     */
+    set(patch, { history = "push" } = {}) {
+      const unknown = Object.keys(patch).find((key) => !(key in schema));
+      if (unknown) throw new Error(`the state has no field ${unknown}`);
+      const next = { ...current, ...patch };
+      Object.assign(next, implied(next));
+      current = Object.freeze(next);
+      if (history === "replace") {
+        if (!moving) write("pushState");
+        // Browsers refuse more than some 100 changes of the URL in 30 s.
+        else if (now() - written > 400) write("replaceState");
+        moving = true;
+      } else if (history === "push") {
+        write(moving ? "replaceState" : "pushState");
+        moving = false;
+      }
+      tell();
+    },
+
+    /** Close the open gesture, if there is one. */
+    settle() {
+      if (!moving) return;
+      moving = false;
+      write("replaceState");
+      tell();
+    },
+
+    /** @param {(state: Record<string, any>, moving: boolean) => void} listener @returns {() => void} */
+    subscribe(listener) {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+
+    /**
+     * Take the state from a link. What the link may not say stays at its default and is reported.
+     * @param {string} search
+     * @returns {LinkProblem[]}
+     */
+    fromQuery(search) {
+      /** @type {LinkProblem[]} */
+      const problems = [];
+      /** @type {Record<string, any>} */
+      const next = Object.fromEntries(
+        Object.entries(schema).map(([key, field]) => [key, field.default]),
+      );
+      const seen = new Set();
+      for (const [key, text] of new URLSearchParams(search)) {
+        const field = Object.hasOwn(schema, key) ? schema[key] : undefined;
+        if (!field) {
+          problems.push({ key, text, message: "this page knows no such parameter" });
+        } else if (seen.has(key)) {
+          problems.push({ key, text, message: "it is given twice; the first one counts" });
+        } else {
+          seen.add(key);
+          try {
+            next[key] = field.parse(text);
+          } catch (error) {
+            if (!(error instanceof LinkError)) throw error;
+            problems.push({ key, text, message: error.message });
+          }
+        }
+      }
+      const consequences = implied(next);
+      for (const key of Object.keys(consequences)) {
+        if (seen.has(key)) {
+          problems.push({
+            key,
+            text: String(next[key]),
+            message: "a preset gives this value already; the preset counts",
+          });
+        }
+      }
+      current = Object.freeze({ ...next, ...consequences });
+      moving = false;
+      tell();
+      return problems;
+    },
+
+    /** Add the fields of a view or model that became known later. @param {Record<string, Field>} more */
+    extend(more) {
+      for (const [key, field] of Object.entries(more)) {
+        if (key in schema) continue;
+        schema[key] = field;
+        current = Object.freeze({ ...current, [key]: field.default });
+      }
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof createState>} StateStore */

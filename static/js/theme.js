@@ -1,0 +1,37 @@
+// A classic script, run before the first paint: a module would show the wrong theme for a moment.
+// @ts-check
+(() => {
+  const key = "fresnel-theme";
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  const root = document.documentElement;
+
+  /** @returns {string} what the user chose: light, dark or auto */
+  function chosen() {
+    try {
+      return localStorage.getItem(key) ?? "auto";
+    } catch {
+      return "auto"; // storage may be forbidden
+    }
+  }
+
+  function apply() {
+    const choice = chosen();
+    root.dataset.themeChoice = choice;
+    root.dataset.theme = choice === "auto" ? (dark.matches ? "dark" : "light") : choice;
+  }
+
+  apply();
+  dark.addEventListener("change", () => {
+    apply();
+    root.dispatchEvent(new Event("themechange"));
+  });
+  root.addEventListener("themechoice", (event) => {
+    try {
+      localStorage.setItem(key, /** @type {CustomEvent<string>} */ (event).detail);
+    } catch {
+      root.dataset.themeChoice = /** @type {CustomEvent<string>} */ (event).detail;
+    }
+    apply();
+    root.dispatchEvent(new Event("themechange"));
+  });
+})();

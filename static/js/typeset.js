@@ -1,0 +1,36 @@
+/** KaTeX, loaded when the first formula is to be seen. */
+
+import { h } from "./dom.js";
+
+const FOLDER = "vendor/katex-0.19.1/";
+/** @type {Promise<void> | null} */
+let loading = null;
+
+function loadKatex() {
+  loading ??= new Promise((resolve, reject) => {
+    document.head.append(h("link", { rel: "stylesheet", href: `${FOLDER}katex.min.css` }));
+    const script = h("script", { src: `${FOLDER}katex.min.js` });
+    script.addEventListener("load", () => resolve());
+    script.addEventListener("error", () => {
+      loading = null;
+      reject(new Error("KaTeX could not be loaded"));
+    });
+    document.head.append(script);
+  });
+  return loading;
+}
+
+/**
+ * Typeset a formula; where that fails, its LaTeX stands instead.
+ * @param {string} latex
+ * @param {HTMLElement} element
+ */
+export async function typeset(latex, element) {
+  element.textContent = latex;
+  try {
+    await loadKatex();
+    katex.render(latex, element, { displayMode: true, throwOnError: false });
+  } catch {
+    element.textContent = latex;
+  }
+}

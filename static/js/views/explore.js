@@ -1,0 +1,308 @@
+/** Explore: the ray at the surface beside the Fresnel curves. */
+
+import { nameable } from "../controls/media.js";
+import { createDiagram } from "../diagram.js";
+import { h } from "../dom.js";
+import { ANGLE_STEPS, createControls } from "../explore/controls.js";
+import { createDefinitions } from "../explore/definitions.js";
+import { createNumbers } from "../explore/numbers.js";
+import { landmarksOf, readingAt } from "../explore/reading.js";
+import { createSplit } from "../explore/split.js";
+import { axesOf, marksOf, tracesOf } from "../explore/traces.js";
+import { angle, inDegrees, inUnit, percent } from "../format.js";
+import { createPlot } from "../plots.js";
+import { clamp, snap, stepped } from "../snap.js";
+import { choice, list, number } from "../state.js";
+
+/**
+ * @typedef {import('../types.js').Catalog} Catalog
+ * @typedef {import('../types.js').State} State
+ * @typedef {import('../types.js').ViewContext} ViewContext
+ */
+
+const SNAP_DEGREES = 1;
+
+/** The state that this view adds to the one all views share. @param {Catalog} catalog */
+export function fields({ models }) {
+  const own = models.flatMap((model) =>
+    model.parameters.map((p) => [`${model.id}.${p.name}`, number(p)]),
+  );
+  return {
+    models: list(models.map((m) => m.id).filter((id) => id !== "exact")),
+    show: list(["T", "phase"]),
+    marks: choice("on", ["on", "off"]),
+    ...Object.fromEntries(own),
+  };
+}
+
+/** @param {ViewContext} context */
+export function createView({ element, catalog, presets, state, actions, say, save, typeset }) {
+  const controls = createControls({ catalog, presets, state, actions });
+  const numbers = createNumbers(say);
+  const split = createSplit();
+  const definitions = createDefinitions(catalog.models, typeset);
+  const diagramHost = h("div", { class: "diagram-host" });
+  const plotHost = h("div", { class: "plot-host" });
+  const caption = h(
+    "p",
+    { class: "hint" },
+    "Drag the ray, or use ← → (Shift: finer). Alt frees it from the marks.",
+  );
+  const tableHost = h("div", { class: "plot-table" });
+  const dataTable = h(
+    "details",
+    { class: "definitions" },
+    h("summary", {}, "The curves as a table"),
+    tableHost,
+  );
+  const exports = h(
+    "p",
+    { class: "exports" },
+    .../** @type {const} */ (["png", "svg", "csv"]).map((kind) =>
+      h(
+        "button",
+        {
+          type: "button",
+          class: "quiet",
+          "aria-label": `Save the plot as ${kind.toUpperCase()}`,
+          onclick: async () => save(`fresnel-curves.${kind}`, await plot.exportAs(kind)),
+        },
+        kind.toUpperCase(),
+      ),
+    ),
+  );
+
+  element.append(
+    controls.element,
+    h(
+      "section",
+      { class: "column ray", "aria-label": "Ray at the surface" },
+      h("div", { class: "heading" }, h("h2", {}, "Ray at the surface")),
+      diagramHost,
+      split.element,
+      caption,
+    ),
+    h(
+      "section",
+      { class: "column curves", "aria-label": "Reflectance" },
+      h("div", { class: "heading" }, h("h2", {}, "Reflectance"), exports),
+      plotHost,
+      h("div", { class: "heading" }, h("h2", {}, "Numbers"), numbers.copyAll),
+      numbers.grid,
+      definitions.element,
+      dataTable,
+    ),
+    h(
+      "section",
+      { class: "column amplitude-column", "aria-label": "Amplitude coefficients" },
+      h("div", { class: "heading" }, h("h2", {}, "Amplitude coefficients")),
+      numbers.table,
+    ),
+  );
+
+  /** @type {State | null} */
+  let now = null;
+  /** @type {any} */
+  let answers = {};
+  let drawn = { curves: /** @type {unknown} */ (null), look: "", settled: false };
+
+  const landmarks = () => (answers.curves ? landmarksOf(answers.curves.interface) : []);
+  const stops = () => (now?.marks === "on" ? landmarks() : []);
+
+  /** @param {number} deg @param {boolean} free */
+  function drag(deg, free) {
+    const raw = Number((Math.round(deg / ANGLE_STEPS.fine) * ANGLE_STEPS.fine).toFixed(9));
+    const next = free
+      ? raw
+      : snap(
+          raw,
+          stops().map((l) => l.deg),
+          SNAP_DEGREES,
+        );
+    if (next !== now?.theta_i_deg)
+      actions.set({ theta_i_deg: clamp(next, 0, 90) }, { history: "replace" });
+  }
+
+  const diagram = createDiagram(diagramHost, {
+    onTheta: (/** @type {number} */ deg, /** @type {{free: boolean}} */ { free }) =>
+      drag(deg, free),
+    onSettle: actions.settle,
+    onStep(/** @type {string} */ kind) {
+      const at = now?.theta_i_deg ?? 0;
+      const size =
+        { fine: ANGLE_STEPS.fine, page: ANGLE_STEPS.page }[kind.slice(0, -1)] ?? ANGLE_STEPS.step;
+      const next =
+        kind === "home"
+          ? 0
+          : kind === "end"
+            ? 90
+            : stepped(
+                at,
+                kind.endsWith("-") ? -size : size,
+                stops().map((l) => l.deg),
+              );
+      actions.set({ theta_i_deg: clamp(next, 0, 90) }, { history: "replace" });
+    },
+  });
+
+  const plot = createPlot(plotHost, {
+    ...axesOf(/** @type {any} */ (state())),
+    filename: "fresnel-curves",
+    onPick(x, { settled, free }) {
+      drag(inDegrees(x, now?.angle ?? "deg"), free);
+      if (settled) actions.settle();
+    },
+  });
+
+  dataTable.addEventListener("toggle", () => fillTable());
+  function fillTable() {
+    if (dataTable.open && drawn.settled) tableHost.replaceChildren(plot.table());
+  }
+
+  /** @param {boolean} moving */
+  function draw(moving) {
+    if (!now) return;
+    const shown = /** @type {import('../explore/traces.js').Shown} */ ({
+      ...now,
+      marks: now.marks === "on",
+    });
+    const look = JSON.stringify([
+      shown.polarization,
+      shown.angle,
+      shown.show,
+      shown.models,
+      shown.marks,
+    ]);
+    const changed = drawn.curves !== answers.curves;
+    if (!changed && look === drawn.look && (drawn.settled || moving)) return;
+    const traces = tracesOf(answers.curves, shown, catalog.models);
+    const marks = marksOf(answers.curves, shown);
+    if (moving && look === drawn.look) {
+      plot.fast(traces, marks);
+      drawn = { curves: answers.curves, look, settled: false };
+      return;
+    }
+    if (look !== drawn.look) plot.axes(axesOf(shown));
+    plot.draw(traces, marks);
+    drawn = { curves: answers.curves, look, settled: true };
+    fillTable();
+  }
+
+  return {
+    /**
+     * @param {State} next
+     * @param {any} nextAnswers
+     * @param {boolean} moving
+     */
+    update(next, nextAnswers, moving) {
+      now = next;
+      answers = nextAnswers;
+      controls.update(next, stops(), reasonsOf(answers.curves));
+      definitions.update(next.models);
+      if (!answers.curves) return;
+      const reading = readingAt(answers.curves, answers.snell, next.theta_i_deg);
+      const { polarization, angle: unit } = next;
+      const [share, passed] = { s: [reading.Rs, reading.Ts], p: [reading.Rp, reading.Tp] }[
+        /** @type {string} */ (polarization)
+      ] ?? [reading.R, reading.T];
+      const media = reading.interface;
+      diagram.update({
+        ...reading,
+        polarization,
+        angleUnit: unit,
+        labels: {
+          incident: mediumName(catalog, next.incident, media.n_i, 0) ?? "incident medium",
+          transmitted: mediumName(catalog, next.material, media.n_t, media.k_t) ?? "second medium",
+        },
+        landmarks: stops(),
+      });
+      split.update(/** @type {number} */ (share), /** @type {number} */ (passed), media.k_t > 0);
+      numbers.update(reading, unit);
+      draw(moving);
+      const points = [
+        { id: "Rs", y: reading.Rs },
+        { id: "Rp", y: reading.Rp },
+        { id: "R", y: reading.R },
+        ...(next.show.includes("T") ? [{ id: "T", y: reading.T }] : []),
+      ];
+      plot.marker(inUnit(next.theta_i_deg, unit), points);
+    },
+
+    /** A sentence for those who hear the page. @param {State} next @param {any} given */
+    sentence(next, given) {
+      if (!given.curves) return "";
+      const r = readingAt(given.curves, given.snell, next.theta_i_deg);
+      const into = r.tir
+        ? "total internal reflection"
+        : `refracted at ${angle(r.theta_t_deg, next.angle)}`;
+      return `At ${angle(r.theta_i_deg, next.angle)}: ${percent(r.R)} reflected, ${into}.`;
+    },
+
+    theme: () => plot.theme(),
+    deactivate: () => controls.stop(),
+    destroy() {
+      controls.stop();
+      diagram.destroy();
+      plot.destroy();
+    },
+  };
+}
+
+/** @param {any} curves @returns {Map<string, string>} why a model is outside its domain here */
+function reasonsOf(curves) {
+  /** @type {import('../types.js').Curve[]} */
+  const all = curves?.curves ?? [];
+  return new Map(all.flatMap((c) => (c.reason ? [[c.model, c.reason]] : [])));
+}
+
+/**
+ * What the view asks the server for: paths by name, in the order of their importance.
+ * @param {State} state
+ * @param {Catalog} catalog
+ * @returns {Record<string, string>}
+ */
+export function queries(state, catalog) {
+  const media = mediaQuery(state, catalog);
+  const own = Object.entries(state)
+    .filter(
+      ([key, value]) =>
+        key.includes(".") && state.models.includes(key.split(".")[0]) && value !== null,
+    )
+    .map(([key, value]) => `${key}=${value}`);
+  const curves = [
+    ...media,
+    state.models.length ? `models=exact,${state.models.join(",")}` : "",
+    ...own,
+    "landmarks=true",
+    "refraction=true",
+    state.show.includes("phase") ? "phase=true" : "",
+  ];
+  return {
+    curves: `/curves?${curves.filter(Boolean).join("&")}`,
+    snell: `/snell?${[...media, `theta_i_deg=${state.theta_i_deg}`].join("&")}`,
+  };
+}
+
+/**
+ * The calls that give what is on the screen, for people who want it in their program.
+ * @param {State} state
+ * @param {Catalog} catalog
+ */
+export function restCalls(state, catalog) {
+  const { snell, curves } = queries(state, catalog);
+  return [snell, curves];
+}
+
+/** @param {State} state @param {Catalog} catalog @returns {string[]} the indices that differ from the API's defaults */
+function mediaQuery(state, { parameters }) {
+  return ["n_i", "n_t", "k_t"]
+    .filter((name) => state[name] !== parameters.find((p) => p.name === name)?.default)
+    .map((name) => `${name}=${state[name]}`);
+}
+
+/** @param {Catalog} catalog @param {string | null} id @param {number} n @param {number} k */
+function mediumName({ materials }, id, n, k) {
+  const found = materials.find((m) => m.id === nameable(materials, id, n, k));
+  // While the second medium moves, the named one is already left but its curves are still shown.
+  return found && found.n === n ? found.name.replace(/\s*\(.*\)$/, "") : null;
+}

@@ -1,0 +1,124 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { choice, createState, list, number, optional } from "../../static/js/state.js";
+
+const FIELDS = () => ({
+  n: number({ default: 1.5, minimum: 0.001, maximum: 100 }),
+  k: number({ default: 0, minimum: 0, maximum: 100 }),
+  unit: choice("deg", ["deg", "rad"]),
+  models: list(["schlick", "cos_form"]),
+  material: optional(["water", "gold"]),
+});
+
+/** A window whose history is a list. */
+function fakeWindow(search = "") {
+  const log = /** @type {string[]} */ ([]);
+  const location = { pathname: "/", search };
+  /** @param {string} verb */
+  const write =
+    (verb) =>
+    (/** @type {unknown} */ _state, /** @type {string} */ _title, /** @type {string} */ url) => {
+      location.search = url.slice(1);
+      log.push(`${verb} ${url}`);
+    };
+  const history = { pushState: write("push"), replaceState: write("replace") };
+  return { log, window: /** @type {any} */ ({ location, history }) };
+}
+
+test("only what differs from the defaults stands in the link", () => {
+  const state = createState(FIELDS());
+  assert.equal(state.toQuery(), "");
+  state.set({ n: 1.33, models: ["cos_form", "schlick"] });
+  assert.equal(state.toQuery(), "n=1.33&models=cos_form,schlick");
+  state.set({ n: 1.5, models: [] });
+  assert.equal(state.toQuery(), "");
+});
+
+test("a link gives back exactly the state that wrote it", () => {
+  const state = createState(FIELDS());
+  state.set({ n: 1 / 1.5, k: 1e-7, unit: "rad", models: ["schlick"], material: null });
+  const other = createState(FIELDS());
+  assert.deepEqual(other.fromQuery(`?${state.toQuery()}`), []);
+  assert.deepEqual(other.get(), state.get());
+});
+
+test("what a link may not say is reported and left at its default", () => {
+  const state = createState(FIELDS());
+  const problems = state.fromQuery(
+    "?n=400&k=x&unit=grad&models=schlick,foo&material=mud&colour=red&__proto__=1&n=2",
+  );
+  assert.deepEqual(
+    problems.map((p) => p.key),
+    ["n", "k", "unit", "models", "material", "colour", "__proto__", "n"],
+  );
+  assert.match(problems[0]?.message ?? "", /0\.001 to 100/);
+  assert.equal(state.get().n, 1.5);
+  assert.deepEqual(state.get().models, []);
+});
+
+test("numbers of a link are plain decimal numbers", () => {
+  const state = createState(FIELDS());
+  for (const text of ["NaN", "Infinity", "1e400", "", " 2", "0x10", "2;", "1/2", "-1"]) {
+    assert.equal(state.fromQuery(`?n=${encodeURIComponent(text)}`).length, 1, text);
+  }
+  assert.deepEqual(state.fromQuery("?n=2.5e0"), []);
+  assert.equal(state.get().n, 2.5);
+});
+
+test("a preset implies its indices and keeps them out of the link", () => {
+  const state = createState(FIELDS(), {
+    implied: ({ material }) => (material === "gold" ? { n: 0.2, k: 3 } : {}),
+  });
+  state.set({ material: "gold" });
+  assert.equal(state.get().k, 3);
+  assert.equal(state.toQuery(), "material=gold");
+  state.set({ material: null, n: 0.3 });
+  assert.equal(state.toQuery(), "n=0.3&k=3");
+  const [problem] = state.fromQuery("?material=gold&n=1.7");
+  assert.equal(problem?.key, "n");
+  assert.equal(state.get().n, 0.2);
+});
+
+test("a gesture makes one entry in the history", () => {
+  const { log, window } = fakeWindow();
+  let clock = 0;
+  const state = createState(FIELDS(), { window, now: () => clock });
+  for (const n of [1.6, 1.7, 1.8]) {
+    clock += 10;
+    state.set({ n }, { history: "replace" });
+    assert.equal(state.moving(), true);
+  }
+  clock += 1000;
+  state.set({ n: 1.9 }, { history: "replace" });
+  state.set({ n: 2 }, { history: "replace" });
+  state.settle();
+  assert.equal(state.moving(), false);
+  assert.deepEqual(log, ["push /?n=1.6", "replace /?n=1.9", "replace /?n=2"]);
+  state.settle();
+  state.set({ k: 1 });
+  state.set({ k: 1 });
+  assert.deepEqual(log.slice(3), ["push /?n=2&k=1"]);
+});
+
+test("listeners hear of every change and may leave", () => {
+  const state = createState(FIELDS());
+  /** @type {[number, boolean][]} */
+  const heard = [];
+  const leave = state.subscribe((now, moving) => heard.push([now.n, moving]));
+  state.set({ n: 2 }, { history: "replace" });
+  state.settle();
+  leave();
+  state.set({ n: 3 });
+  assert.deepEqual(heard, [
+    [2, true],
+    [2, false],
+  ]);
+});
+
+test("a field that nobody declared cannot be set; one declared later can", () => {
+  const state = createState(FIELDS());
+  assert.throws(() => state.set({ over: 1 }), /over/);
+  state.extend({ over: number({ default: 1, minimum: 0, maximum: 9 }) });
+  state.set({ over: 2 });
+  assert.equal(state.toQuery(), "over=2");
+});
