@@ -1,0 +1,35 @@
+"""The dielectric formula fed with a complex index: a common misunderstanding."""
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+
+
+def complex_dielectric(interface: Interface, incidence: Incidence) -> Array:
+    """|evalF(g, c)| with complex g = sqrt(N^2 - 1 + c^2): squares where moduli belong."""
+    c = incidence.cos
+    index = interface.eta + 1j * interface.kappa
+    g = np.sqrt(index * index - 1.0 + c * c)
+    ratio = (c * (g + c) - 1.0) / (c * (g - c) + 1.0)
+    F = 0.5 * ((g - c) / (g + c)) ** 2 * (1.0 + ratio * ratio)
+    return np.asarray(np.abs(F))
+
+
+MODEL = Model(
+    id="complex_dielectric",
+    title="Dielectric formula with a complex index (trap)",
+    kind="approximation",
+    applies_to=("conductor",),
+    latex=r"R\approx\left|\tfrac12\,\frac{(g-c)^2}{(g+c)^2}"
+    r"\left(1+\frac{(c(g+c)-1)^2}{(c(g-c)+1)^2}\right)\right|,\quad g=\sqrt{N^2-1+c^2}",
+    reference="E. d'Eon, Fresnel Boundaries, notebook to A Hitchhiker's Guide to Multiple Scattering "
+    "(2019), misunderstood form",
+    validity="Nowhere: it adds r_s^2 and r_p^2 as complex numbers, which cancel, before taking the "
+    "modulus. Right at normal and at grazing incidence, where the two agree.",
+    cost=Cost(add=24, mul=37, div=2, sqrt=4),
+    function=complex_dielectric,
+    limits=lambda _: "a misunderstanding: the squares of complex amplitudes are not powers",
+)

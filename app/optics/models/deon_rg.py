@@ -1,0 +1,37 @@
+"""D'Eon's modified parameters: exact Fresnel from reflectance and a tint that is an angle."""
+
+from collections.abc import Mapping
+
+from app.optics.amplitudes import power
+from app.optics.edge_tint import REFLECTANCE, TINT_ANGLE, deon_G, deon_index, relative_interface
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+
+
+def deon_rg(interface: Interface, incidence: Incidence, r: Array, G: Array) -> Array:  # noqa: ARG001
+    """Exact R of the index that r and G stand for."""
+    return power(relative_interface(*deon_index(r, G)), incidence).R
+
+
+def _solve(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
+    return {"r": interface.F0, "G": deon_G(interface.eta, interface.kappa, interface.F0)}
+
+
+MODEL = Model(
+    id="deon_rg",
+    title="d'Eon's reflectance and tint angle",
+    kind="exact",
+    applies_to=("dielectric", "conductor"),
+    latex=r"\eta=\frac{1+r}{1-r}+\rho\cos\pi G,\quad \kappa=\rho\sin\pi G,\quad "
+    r"\rho=\frac{2\sqrt r}{1-r},\quad R=R_\text{exact}(\eta,\kappa)",
+    reference="E. d'Eon, Fresnel Boundaries, notebook to A Hitchhiker's Guide to Multiple Scattering "
+    "(2019), modified Gulbrandsen mapping",
+    validity="Exact with other parameters, for every interface: G = 0 is the dielectric n_t > n_i of "
+    "that reflectance, G = 1 the one with n_t < n_i.",
+    cost=Cost(add=20, mul=31, div=5, sqrt=4, trig=2),
+    function=deon_rg,
+    parameters=(REFLECTANCE, TINT_ANGLE),
+    solve=_solve,
+)

@@ -1,0 +1,56 @@
+"""F82-tint: Hoffman's curve steered by the ratio to Schlick at 82 degrees."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import MU_BAR, Interface
+from app.optics.parameters import Array, Parameter
+from app.optics.registry import Cost, Model
+from app.optics.specular import DIP_SCALE, F0, dip, polynomial
+
+TINT = Parameter(
+    "tint",
+    r"\text{tint}",
+    None,
+    0.0,
+    1.0,
+    "",
+    "Reflectance at 82 degrees over Schlick's there; from the interface unless given. Three values "
+    "are R, G and B.",
+    triple=True,
+)
+
+
+def f82_tint(interface: Interface, incidence: Incidence, F0: Array, tint: Array) -> Array:  # noqa: ARG001
+    """S(mu) - mu (1 - mu)^6 / (mu_bar (1 - mu_bar)^6) S(mu_bar) (1 - tint), S Schlick's curve."""
+    depth = DIP_SCALE * polynomial(F0, np.asarray(MU_BAR)) * (1.0 - tint)
+    return np.asarray(polynomial(F0, incidence.cos) - depth * dip(incidence.cos))
+
+
+def tint_of(interface: Interface) -> Array:
+    """F82 / S(1/7), above 1 for most dielectrics."""
+    return np.asarray(interface.F82 / polynomial(interface.F0, np.asarray(MU_BAR)))
+
+
+def _solve(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
+    return {"F0": interface.F0, "tint": tint_of(interface)}
+
+
+MODEL = Model(
+    id="f82_tint",
+    title="F82-tint",
+    kind="approximation",
+    applies_to=("conductor",),
+    latex=r"R\approx S(\mu)-\frac{\mu(1-\mu)^6}{\bar\mu(1-\bar\mu)^6}\,S(\bar\mu)\,"
+    r"(1-\text{tint}),\quad S(\mu)=F_0+(1-F_0)(1-\mu)^5,\quad \bar\mu=\tfrac17",
+    reference="P. Kutz, M. Hašan and D. Edmondson, Novel Aspects of the Adobe Standard Material "
+    "(2021); OpenPBR Surface specification, metal",
+    validity="Metals; the same curve as Hoffman's F82 when the tint is taken from it, and R stays "
+    "within 0 and 1 for every tint from 0 to 1.",
+    cost=Cost(add=3, mul=7),
+    function=f82_tint,
+    parameters=(F0, TINT),
+    solve=_solve,
+)

@@ -1,0 +1,76 @@
+"""Schlick with free end, free exponent and Hoffman's dip."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import MU_BAR, Interface
+from app.optics.parameters import Array, Parameter
+from app.optics.registry import Cost, Model
+from app.optics.specular import DIP_SCALE, F0, dip, no_critical_angle
+
+F90 = Parameter(
+    "F90",
+    "F_{90}",
+    1.0,
+    0.0,
+    1.0,
+    "",
+    "Reflectance at grazing incidence; 1 for every real surface. Three values are R, G and B.",
+    triple=True,
+)
+EXPONENT = Parameter(
+    "exponent", "q", 5.0, 0.1, 100.0, "", "Exponent of 1 - mu; larger turns up later."
+)
+A = Parameter(
+    "a",
+    "a",
+    None,
+    -50.0,
+    50.0,
+    "",
+    "Depth of the dip; 0 is none, and unless given it is what meets the interface's F82. Three "
+    "values are R, G and B.",
+    triple=True,
+)
+
+
+def generalized_schlick(
+    interface: Interface,  # noqa: ARG001
+    incidence: Incidence,
+    F0: Array,
+    F90: Array,
+    exponent: Array,
+    a: Array,
+) -> Array:
+    """F0 + (F90 - F0)(1 - mu)^q - a mu (1 - mu)^6."""
+    rise = (1.0 - incidence.cos) ** exponent
+    return np.asarray(F0 + (F90 - F0) * rise - a * dip(incidence.cos))
+
+
+def _solve(
+    interface: Interface, F0: Array | None, F90: Array, exponent: Array, **_: Array | None
+) -> Mapping[str, Array]:
+    normal = interface.F0 if F0 is None else F0
+    at_82 = normal + (F90 - normal) * (1.0 - MU_BAR) ** exponent
+    return {"F0": normal, "a": np.asarray(DIP_SCALE * (at_82 - interface.F82))}
+
+
+MODEL = Model(
+    id="generalized_schlick",
+    title="Generalized Schlick",
+    kind="approximation",
+    applies_to=("dielectric", "conductor"),
+    latex=r"R\approx F_0+(F_{90}-F_0)(1-\mu)^q-a\,\mu(1-\mu)^6",
+    reference="N. Hoffman, Fresnel Equations Considered Harmful, Eurographics Workshop on Material "
+    "Appearance Modeling (2019), doi:10.2312/mam.20191305; MaterialX, generalized_schlick_bsdf",
+    validity="With its defaults Hoffman's F82 for any interface seen from the thinner side. An "
+    "exponent other than 5, an F90 below 1 or a = 0 is an artist's choice; R may leave 0 to 1 for "
+    "extreme a.",
+    cost=Cost(add=3, mul=6, pow=1),
+    function=generalized_schlick,
+    parameters=(F0, F90, EXPONENT, A),
+    solve=_solve,
+    limits=no_critical_angle,
+)

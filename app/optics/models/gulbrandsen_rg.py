@@ -1,0 +1,52 @@
+"""Gulbrandsen's artist-friendly parameters: exact Fresnel from reflectance and edge tint."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from app.optics.amplitudes import power
+from app.optics.edge_tint import (
+    EDGE_TINT,
+    REFLECTANCE,
+    gulbrandsen_g,
+    gulbrandsen_index,
+    relative_interface,
+)
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+
+
+def gulbrandsen_rg(interface: Interface, incidence: Incidence, r: Array, g: Array) -> Array:  # noqa: ARG001
+    """Exact R of the index that r and g stand for."""
+    return power(relative_interface(*gulbrandsen_index(r, g)), incidence).R
+
+
+def _solve(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
+    return {"r": interface.F0, "g": gulbrandsen_g(interface.eta, interface.F0)}
+
+
+def _outside(interface: Interface) -> str | None:
+    if bool(np.any(interface.eta**2 + interface.kappa**2 < 1.0)):
+        return "|N| < n_i: the edge tint would have to exceed 1"
+    return None
+
+
+MODEL = Model(
+    id="gulbrandsen_rg",
+    title="Gulbrandsen's reflectance and edge tint",
+    kind="exact",
+    applies_to=("dielectric", "conductor"),
+    latex=r"\eta=g\,\frac{1-r}{1+r}+(1-g)\,\frac{1+\sqrt r}{1-\sqrt r},\quad "
+    r"\kappa^2=\frac{r(\eta+1)^2-(\eta-1)^2}{1-r},\quad R=R_\text{exact}(\eta,\kappa)",
+    reference="O. Gulbrandsen, Artist Friendly Metallic Fresnel, Journal of Computer Graphics "
+    "Techniques 3(4), 64-72 (2014)",
+    validity="Exact with other parameters: every interface with |N| >= n_i has an r and a g from 0 to "
+    "1. Silver, gold and copper lie outside in parts of the visible spectrum only for |N| < 1.",
+    cost=Cost(add=23, mul=30, div=6, sqrt=4),
+    function=gulbrandsen_rg,
+    parameters=(REFLECTANCE, EDGE_TINT),
+    solve=_solve,
+    limits=_outside,
+)

@@ -1,0 +1,41 @@
+"""Hoffman's Schlick for metals, made to meet the reflectance at 82 degrees."""
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+from app.optics.specular import (
+    DIP_SCALE,
+    F0,
+    F82,
+    dip,
+    from_interface,
+    polynomial,
+)
+
+
+def hoffman_f82(interface: Interface, incidence: Incidence, F0: Array, F82: Array) -> Array:  # noqa: ARG001
+    """Schlick - a mu (1 - mu)^6 with a such that R = F82 at mu = 1/7."""
+    # 17.6513846 and 8.16666667 in print: 7 (7/6)^6 and 49/6.
+    a = DIP_SCALE * (F0 - F82) + 49.0 / 6.0 * (1.0 - F0)
+    return np.asarray(polynomial(F0, incidence.cos) - a * dip(incidence.cos))
+
+
+MODEL = Model(
+    id="hoffman_f82",
+    title="Hoffman's F82",
+    kind="approximation",
+    applies_to=("conductor",),
+    latex=r"R\approx F_0+(1-F_0)(1-\mu)^5-a\,\mu(1-\mu)^6,\quad "
+    r"a=17.6513846\,(F_0-F_{82})+8.16666667\,(1-F_0)",
+    reference="N. Hoffman, Fresnel Equations Considered Harmful, Eurographics Workshop on Material "
+    "Appearance Modeling (2019), doi:10.2312/mam.20191305",
+    validity="Metals; exact at 0, 82 and 90 degrees. Works for dielectrics too, where it removes "
+    "part of Schlick's error. A low F82 beside a high F0 can take R below 0.",
+    cost=Cost(add=3, mul=7),
+    function=hoffman_f82,
+    parameters=(F0, F82),
+    solve=from_interface,
+)

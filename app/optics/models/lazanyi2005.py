@@ -1,0 +1,120 @@
+"""Lazanyi and Szirmay-Kalos: Schlick with a term for the dip of metals."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from scipy.optimize.elementwise import find_root
+
+from app.optics.amplitudes import amplitudes, power, wave
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.models.lagarde_conductor import lagarde_conductor
+from app.optics.models.schlick_ior import schlick_ior
+from app.optics.parameters import Array, Parameter
+from app.optics.registry import Cost, Model
+
+ALPHA = Parameter(
+    "alpha",
+    r"\alpha",
+    None,
+    0.01,
+    1000.0,
+    "",
+    "Exponent of the dip; unless given it is solved so that the term meets Schlick's largest error.",
+)
+A = Parameter("a", "a", None, 0.0, 200.0, "", "Depth of the dip; 2 n_t/n_i unless given.")
+
+# Dense toward grazing incidence, where the dip of a metal with a large index lies.
+_SCAN = np.geomspace(1e-4, 0.98, 40)
+
+
+def lazanyi2005(interface: Interface, incidence: Incidence, a: Array, alpha: Array) -> Array:
+    """Schlick - a mu (1 - mu)^alpha; the term is not divided by Schlick's denominator."""
+    mu = incidence.cos
+    return np.asarray(schlick_ior(interface, incidence) - a * mu * (1.0 - mu) ** alpha)
+
+
+def slope(interface: Interface, incidence: Incidence) -> Array:
+    r"""Derivative of the exact R by mu.
+
+    From r_s' = -2 r_s / q and r_p' = 2 N^2 (N^2 - 1) / (q (N^2 mu + q)^2), N relative.
+    """
+    r, w = amplitudes(interface, incidence), wave(interface, incidence)
+    q, square = w.a + 1j * w.b, (interface.eta + 1j * interface.kappa) ** 2
+    s = np.conj(r.r_s) * -2.0 * r.r_s / q
+    p = np.conj(r.r_p) * 2.0 * square * (square - 1.0) / (q * (square * incidence.cos + q) ** 2)
+    return np.asarray((s + p).real)
+
+
+def largest_error_cosine(interface: Interface) -> Array:
+    """Cosine at which Schlick exceeds the exact R most, of the interface's shape."""
+    shape = np.broadcast_shapes(interface.n_i.shape, interface.n_t.shape, interface.k_t.shape)
+    media = [np.broadcast_to(m, shape).ravel() for m in _media(interface)]
+    scanned = Incidence.from_cosine(_SCAN)
+    columns = Interface(*(m[:, np.newaxis] for m in media))
+    error = schlick_ior(columns, scanned) - lagarde_conductor(columns, scanned)
+    best = np.clip(np.argmax(error, axis=1), 1, _SCAN.size - 2)
+
+    def rise(mu: Array, n_i: Array, n_t: Array, k_t: Array) -> Array:
+        here, incidence = Interface(n_i, n_t, k_t), Incidence.from_cosine(mu)
+        g = 1.0 - mu
+        return np.asarray(-5.0 * (1.0 - here.F0) * (g * g) ** 2 - slope(here, incidence))
+
+    root = find_root(
+        rise,
+        (_SCAN[best - 1], _SCAN[best + 1]),
+        args=tuple(media),
+        tolerances={"xatol": 1e-15, "xrtol": 1e-14},
+    )
+    return np.asarray(np.where(root.success, root.x, _SCAN[best]).reshape(shape))
+
+
+def solve_alpha(interface: Interface, a: Array) -> Array:
+    """Alpha by Lagarde's solver: the term a mu (1 - mu)^alpha equals Schlick's largest error.
+
+    Returns
+    -------
+    Array
+        Of the broadcast shape; NaN where Schlick exceeds the exact R nowhere, or by more than the
+        term can with a positive alpha.
+    """
+    incidence = Incidence.from_cosine(largest_error_cosine(interface))
+    error = schlick_ior(interface, incidence) - power(interface, incidence).R
+    reach = a * incidence.cos
+    possible = (error > 0.0) & (error < reach)
+    ratio = np.divide(error, reach, out=np.full(possible.shape, np.nan), where=possible)
+    return np.asarray(np.log(ratio) / np.log1p(-incidence.cos))
+
+
+def _media(interface: Interface) -> tuple[Array, Array, Array]:
+    return interface.n_i, interface.n_t, interface.k_t
+
+
+def _solve(interface: Interface, a: Array | None, alpha: Array | None) -> Mapping[str, Array]:
+    depth = 2.0 * interface.eta if a is None else a
+    return {"a": depth, "alpha": solve_alpha(interface, depth) if alpha is None else alpha}
+
+
+def _outside(interface: Interface) -> str | None:
+    if bool(np.any(np.isnan(solve_alpha(interface, 2.0 * interface.eta)))):
+        return "no positive alpha brings the term to Schlick's largest error"
+    return None
+
+
+MODEL = Model(
+    id="lazanyi2005",
+    title="Lazanyi and Szirmay-Kalos",
+    kind="approximation",
+    applies_to=("conductor",),
+    latex=r"R\approx\frac{(n_t-n_i)^2+4n_tn_i(1-\mu)^5+k_t^2}{(n_t+n_i)^2+k_t^2}"
+    r"-a\,\mu(1-\mu)^\alpha,\quad a=2\,\frac{n_t}{n_i}",
+    reference="I. Lazányi and L. Szirmay-Kalos, Fresnel Term Approximations for Metals, WSCG 2005; "
+    "alpha as solved in S. Lagarde, Memo on Fresnel equations (2013)",
+    validity="Metals with a dip. Alpha has to be found for every index, and meeting the largest error "
+    "at one angle does not make the error least: near normal incidence the term takes too much.",
+    cost=Cost(add=3, mul=6, pow=1),
+    function=lazanyi2005,
+    parameters=(A, ALPHA),
+    solve=_solve,
+    limits=_outside,
+)

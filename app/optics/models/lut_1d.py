@@ -1,0 +1,98 @@
+"""Wloka's lookup texture: exact R tabulated over cos(theta_i)."""
+
+import numpy as np
+
+from app.optics.amplitudes import power
+from app.optics.errors import NotAllowed
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array, Parameter
+from app.optics.registry import Cost, Model
+
+SIZE = Parameter("size", "N", 256, 2, 4096, "texels", "Texels of the table.", integer=True)
+BITS = Parameter(
+    "bits",
+    "b",
+    32,
+    8,
+    32,
+    "bit",
+    "Depth of a texel: 8 or 16 bits as integers from 0 to 1, or a 32 bit float.",
+    choices=(("8", 8), ("16", 16), ("32", 32)),
+)
+FILTERING = Parameter(
+    "filtering",
+    r"\text{filter}",
+    1,
+    0,
+    1,
+    "",
+    "How a value between two texels is read: the nearest texel, or linearly interpolated.",
+    choices=(("nearest", 0), ("linear", 1)),
+)
+
+
+def table(interface: Interface, size: int, bits: int) -> Array:
+    """Texels j = 0 ... N - 1 with R at mu = j / (N - 1), on a new last axis, quantized."""
+    columns = Interface(
+        *(m[..., np.newaxis] for m in (interface.n_i, interface.n_t, interface.k_t))
+    )
+    texels = power(columns, Incidence.from_cosine(np.linspace(0.0, 1.0, size))).R
+    if bits == 32:
+        return texels.astype(np.float32).astype(np.float64)
+    steps = 2.0**bits - 1.0
+    return np.asarray(np.rint(texels * steps) / steps)
+
+
+def lut_1d(
+    interface: Interface, incidence: Incidence, size: Array, bits: Array, filtering: Array
+) -> Array:
+    """Read the table at cos(theta_i)."""
+    texels = table(interface, _one("size", size), _one("bits", bits))
+    position = incidence.cos * (texels.shape[-1] - 1)
+    shape = np.broadcast_shapes(texels.shape[:-1], position.shape)
+    texels, position = (
+        np.broadcast_to(texels, (*shape, texels.shape[-1])),
+        np.broadcast_to(position, shape),
+    )
+
+    def texel(index: Array) -> Array:
+        where = index.astype(np.intp)[..., np.newaxis]
+        return np.asarray(np.take_along_axis(texels, where, axis=-1)[..., 0])
+
+    if _one("filtering", filtering) == 0:
+        return texel(np.floor(position + 0.5))
+    low = np.minimum(np.floor(position), texels.shape[-1] - 2)
+    fraction = position - low
+    return np.asarray((1.0 - fraction) * texel(low) + fraction * texel(low + 1.0))
+
+
+def _one(name: str, value: Array) -> int:
+    if value.ndim:
+        raise NotAllowed(f"lut_1d.{name}", value.tolist(), "one number for all")
+    return int(value)
+
+
+def _kinks(size: Array, filtering: Array, **_: Array) -> Array:
+    texels = _one("size", size)
+    if _one("filtering", filtering) == 0:
+        return np.asarray((np.arange(texels - 1) + 0.5) / (texels - 1))
+    return np.linspace(0.0, 1.0, texels)[1:-1]
+
+
+MODEL = Model(
+    id="lut_1d",
+    title="Lookup texture",
+    kind="approximation",
+    applies_to=("dielectric", "conductor"),
+    latex=r"R\approx(1-f)\,T_j+f\,T_{j+1},\quad j+f=\mu\,(N-1),\quad "
+    r"T_j=R_\text{exact}\!\left(\arccos\tfrac{j}{N-1}\right)",
+    reference="M. Wloka, Fresnel Reflection, NVIDIA technical report (2002), figures 10, 11 and 13",
+    validity="Every interface, one table each. The error is the curve's bend between two texels, "
+    "largest at grazing incidence and at a critical angle, plus half a step of the depth. A shader "
+    "has to read at (mu (N - 1) + 1/2) / N to hit the texels' centers.",
+    cost=Cost(lookup=1),
+    function=lut_1d,
+    parameters=(SIZE, BITS, FILTERING),
+    kinks=_kinks,
+)

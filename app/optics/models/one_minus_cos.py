@@ -1,0 +1,29 @@
+"""1 - cos(theta_i), the crudest curve that rises toward grazing incidence."""
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+from app.optics.specular import no_critical_angle
+
+
+def one_minus_cos(interface: Interface, incidence: Incidence) -> Array:  # noqa: ARG001
+    """1 - mu, the same for every material."""
+    return np.asarray(1.0 - incidence.cos)
+
+
+MODEL = Model(
+    id="one_minus_cos",
+    title="1 - cos",
+    kind="approximation",
+    applies_to=("dielectric",),
+    latex=r"R\approx 1-\mu",
+    reference="M. Wloka, Fresnel Reflection, NVIDIA technical report (2002), figures 4 and 15",
+    validity="Right at grazing incidence alone; it knows neither F0 nor the index. Wloka calls it "
+    "visually unacceptable.",
+    cost=Cost(add=1),
+    function=one_minus_cos,
+    limits=no_critical_angle,
+)

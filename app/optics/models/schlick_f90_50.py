@@ -1,0 +1,34 @@
+"""Schlick as Unreal, Frostbite and Filament run it: grazing reflectance fades below F0 = 2 %."""
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+from app.optics.specular import F0, fifth_power, no_critical_angle, only_F0
+
+
+def schlick_f90_50(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
+    """F0 + (F90 - F0)(1 - mu)^5 with F90 = min(50 F0, 1)."""
+    F90 = np.minimum(50.0 * F0, 1.0)
+    return np.asarray(F0 + (F90 - F0) * fifth_power(incidence.cos))
+
+
+MODEL = Model(
+    id="schlick_f90_50",
+    title="Schlick with F90 = min(50 F0, 1)",
+    kind="approximation",
+    applies_to=("dielectric", "conductor"),
+    latex=r"R\approx F_0+(F_{90}-F_0)(1-\mu)^5,\quad F_{90}=\min(50F_0,1)",
+    reference="S. Lagarde and C. de Rousiers, Moving Frostbite to Physically Based Rendering, "
+    "SIGGRAPH 2014 course notes; F_Schlick of Unreal Engine",
+    validity="Schlick itself from F0 = 0.02 on (n_t/n_i = 1.33). Below, engines read a small F0 as "
+    "shadowing and take the reflection away, which no interface does: an index near 1 still reflects "
+    "everything at grazing incidence. Each channel has its own F90 here; engines take one for all.",
+    cost=Cost(add=2, mul=4),
+    function=schlick_f90_50,
+    parameters=(F0,),
+    solve=only_F0,
+    limits=no_critical_angle,
+)

@@ -1,0 +1,35 @@
+"""Schlick with F0 = 0.04 whatever the material: the trap of the fixed default."""
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+from app.optics.specular import no_critical_angle, polynomial
+
+
+def schlick_four_percent(interface: Interface, incidence: Incidence) -> Array:  # noqa: ARG001
+    """Schlick with F0 = 0.04, the value of n = 1.5 in air."""
+    return polynomial(np.asarray(0.04), incidence.cos)
+
+
+def _wrong_material(interface: Interface) -> str | None:
+    right = np.isclose(interface.F0, 0.04, rtol=1e-6, atol=0.0)
+    if not right.all():
+        return "a trap: F0 is 0.04 for n_t/n_i = 1.5 alone"
+    return no_critical_angle(interface)
+
+
+MODEL = Model(
+    id="schlick_four_percent",
+    title="Schlick with F0 of 4 % for everything (trap)",
+    kind="approximation",
+    applies_to=("dielectric", "conductor"),
+    latex=r"R\approx 0.04+0.96\,(1-\mu)^5",
+    reference="default of metallic-roughness materials, as in the glTF 2.0 specification, appendix B",
+    validity="Right for n_t = 1.5 in air alone; water has half of it, diamond four times as much.",
+    cost=Cost(add=2, mul=4),
+    function=schlick_four_percent,
+    limits=_wrong_material,
+)

@@ -1,0 +1,35 @@
+"""Schlick's polynomial made aware of total internal reflection."""
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+from app.optics.specular import polynomial
+
+
+def schlick_tir(interface: Interface, incidence: Incidence) -> Array:
+    """Schlick with cos(theta_t) where n_i > n_t, and 1 beyond the critical angle."""
+    eta, s = interface.eta, incidence.sin
+    # The product keeps the digits that 1 - sin^2 / eta^2 would lose near the critical angle.
+    cos2_t = (eta - s) * (eta + s) / (eta * eta)
+    dense = interface.n_i > interface.n_t
+    mu = np.where(dense, np.sqrt(np.maximum(cos2_t, 0.0)), incidence.cos)
+    return np.where(dense & (cos2_t < 0.0), 1.0, polynomial(interface.F0, mu))
+
+
+MODEL = Model(
+    id="schlick_tir",
+    title="Schlick with total internal reflection",
+    kind="approximation",
+    applies_to=("dielectric",),
+    latex=r"R\approx F_0+(1-F_0)(1-\mu')^5,\quad \mu'=\begin{cases}\cos\theta_i & n_i\le n_t\\"
+    r"\cos\theta_t=\sqrt{1-\sin^2\theta_i/\eta^2} & n_i>n_t\end{cases},\quad "
+    r"R=1\ \text{for}\ \sin\theta_i>\eta",
+    reference="S. Lagarde, Memo on Fresnel equations (2013), FresnelSchlickTIR",
+    validity="Dielectrics from both sides; from the denser side as good as Schlick is from the "
+    "thinner, because both see the same pair of angles.",
+    cost=Cost(add=4, mul=6, sqrt=1),
+    function=schlick_tir,
+)

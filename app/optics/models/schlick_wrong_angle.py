@@ -1,0 +1,35 @@
+"""Schlick on the denser side with the angle of incidence: the trap that schlick_tir avoids."""
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+from app.optics.specular import polynomial
+
+
+def schlick_wrong_angle(interface: Interface, incidence: Incidence) -> Array:
+    """Schlick with cos(theta_i), whichever side the light comes from."""
+    return polynomial(interface.F0, incidence.cos)
+
+
+def _always_wrong(interface: Interface) -> str:
+    if bool(np.any(interface.eta < 1.0)):
+        return "a trap: inside the denser medium the polynomial wants cos(theta_t), see schlick_tir"
+    return "a trap that opens for n_t < n_i; here it is Schlick's approximation itself"
+
+
+MODEL = Model(
+    id="schlick_wrong_angle",
+    title="Schlick with the wrong angle inside glass (trap)",
+    kind="approximation",
+    applies_to=("dielectric",),
+    latex=r"R\approx F_0+(1-F_0)(1-\cos\theta_i)^5\quad\text{although}\ n_i>n_t",
+    reference="S. Lagarde, Memo on Fresnel equations (2013), FresnelSchlick against FresnelSchlickTIR",
+    validity="Nowhere: below the surface total internal reflection is missed entirely, so a water "
+    "surface seen from below turns into a window.",
+    cost=Cost(add=2, mul=4),
+    function=schlick_wrong_angle,
+    limits=_always_wrong,
+)

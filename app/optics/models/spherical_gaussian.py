@@ -1,0 +1,33 @@
+"""Schlick with the fifth power replaced by an exponential of base 2."""
+
+import numpy as np
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Cost, Model
+from app.optics.specular import F0, no_critical_angle, only_F0
+
+
+def spherical_gaussian(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
+    """F0 + (1 - F0) 2^((-5.55473 mu - 6.98316) mu)."""
+    mu = incidence.cos
+    return np.asarray(F0 + (1.0 - F0) * np.exp2((-5.55473 * mu - 6.98316) * mu))
+
+
+MODEL = Model(
+    id="spherical_gaussian",
+    title="Spherical Gaussian",
+    kind="approximation",
+    applies_to=("dielectric", "conductor"),
+    latex=r"R\approx F_0+(1-F_0)\,2^{(-5.55473\,\mu-6.98316)\,\mu}",
+    reference="S. Lagarde, Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel "
+    "(2012); B. Karis, Real Shading in Unreal Engine 4, SIGGRAPH 2013 course notes",
+    validity="Where Schlick holds, whose polynomial it follows; it ends a little above F0 at normal "
+    "incidence.",
+    cost=Cost(add=2, mul=3, pow=1),
+    function=spherical_gaussian,
+    parameters=(F0,),
+    solve=only_F0,
+    limits=no_critical_angle,
+)

@@ -1,0 +1,72 @@
+"""What the models of Schlick's family share: F0, F82, their polynomial and their common limit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from app.optics.interface import MU_BAR, Interface
+from app.optics.parameters import Array, Parameter
+
+F0 = Parameter(
+    "F0",
+    "F_0",
+    None,
+    0.0,
+    1.0,
+    "",
+    "Reflectance at normal incidence, linear; that of the interface unless given. Three values are "
+    "R, G and B.",
+    triple=True,
+)
+F82 = Parameter(
+    "F82",
+    r"F_{82}",
+    None,
+    0.0,
+    1.0,
+    "",
+    "Reflectance at cos(theta_i) = 1/7, about 82 degrees, linear; that of the interface unless "
+    "given. Three values are R, G and B.",
+    triple=True,
+)
+
+DIP_SCALE = 1.0 / (MU_BAR * (1.0 - MU_BAR) ** 6)
+"""1 / (mu (1 - mu)^6) at mu = 1/7: 17.6513846 in Hoffman's slides."""
+
+
+def fifth_power(mu: Array) -> Array:
+    """(1 - mu)^5 by three multiplications, as shaders write it."""
+    g = 1.0 - mu
+    g2 = g * g
+    return np.asarray(g2 * g2 * g)
+
+
+def polynomial(normal: Array, mu: Array) -> Array:
+    """Schlick's F0 + (1 - F0)(1 - mu)^5."""
+    return np.asarray(normal + (1.0 - normal) * fifth_power(mu))
+
+
+def dip(mu: Array) -> Array:
+    """Hoffman's dip mu (1 - mu)^6, largest at mu = 1/7."""
+    g = 1.0 - mu
+    g2 = g * g
+    return np.asarray(mu * (g2 * g2 * g2))
+
+
+def from_interface(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
+    """F0 and F82 of the interface, for models whose parameters they are."""
+    return {"F0": interface.F0, "F82": interface.F82}
+
+
+def only_F0(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
+    """F0 of the interface alone, for models that do not ask for more."""
+    return {"F0": interface.F0}
+
+
+def no_critical_angle(interface: Interface) -> str | None:
+    """Why a curve from F0 alone is wrong on the denser side, or None on the thinner."""
+    if not interface.is_conductor and bool(np.any(interface.eta < 1.0)):
+        return "n_t < n_i: a curve made from F0 knows no critical angle"
+    return None
