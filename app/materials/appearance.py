@@ -63,8 +63,8 @@ def interface(spectrum: Spectrum, wavelength_nm: ArrayLike, n_i: ArrayLike = 1.0
     WavelengthOutOfRange
         If n, or k where the source gives any, is not known at a wavelength.
     """
-    k = spectrum.k(wavelength_nm)
-    return Interface(n_i, spectrum.n(wavelength_nm), 0.0 if k is None else k)
+    n, k = spectrum.n(wavelength_nm), spectrum.k(wavelength_nm)
+    return Interface(n_i, n, 0.0 if k is None else k)
 
 
 def reflectance(

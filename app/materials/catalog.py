@@ -136,8 +136,8 @@ class Catalog:
                 raise WavelengthOutOfRange(preset.id, "n", at, only, only)
             return Constants(preset.n, preset.k, preset.wavelength_nm)
         spectrum = self.spectrum(preset.id)
-        k = spectrum.k(at)
-        return Constants(float(spectrum.n(at)), None if k is None else float(k), at)
+        n, k = spectrum.n(at), spectrum.k(at)
+        return Constants(float(n), None if k is None else float(k), at)
 
     def rivals(self, id: str) -> tuple[Preset, ...]:  # noqa: A002
         """Return the other measurements of the same material; a rival's include the chosen one."""

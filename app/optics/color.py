@@ -90,8 +90,8 @@ def illuminant_power(illuminant: Illuminant = "D65") -> Array:
 @cache
 def xyz_weights(illuminant: Illuminant = "D65", observer: Observer = "cie1931_2deg") -> Array:
     """Weights w of shape (471, 3) such that R @ w is XYZ, with Y = 1 for R = 1."""
-    weights = color_matching(observer) * illuminant_power(illuminant)[:, np.newaxis]
-    weights = weights / weights[:, 1].sum()
+    weights: Array = color_matching(observer) * illuminant_power(illuminant)[:, np.newaxis]
+    weights = np.asarray(weights / weights[:, 1].sum())
     weights.flags.writeable = False
     return weights
 

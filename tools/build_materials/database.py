@@ -119,10 +119,10 @@ def _block(block: dict[str, Any], warnings: list[str]) -> dict[str, Quantity]:
         return {"n": formula}
     rows = [line.split() for line in block["data"].splitlines() if line.strip()]
     columns = {name: index + 1 for index, name in enumerate(what)}
-    return {name: _points(name, rows, index, warnings) for name, index in columns.items()}
+    return {name: native_points(name, rows, index, warnings) for name, index in columns.items()}
 
 
-def _points(name: str, rows: list[list[str]], index: int, warnings: list[str]) -> Points:
+def native_points(name: str, rows: list[list[str]], index: int, warnings: list[str]) -> Points:
     """Sort the native points, and merge those at one wavelength into their mean."""
     at: dict[float, list[float]] = {}
     for row in rows:

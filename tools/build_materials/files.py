@@ -7,6 +7,8 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from app.materials.schema import Database, Preset, Provenance, SpectrumFile
 from app.materials.spectrum import Spectrum
 from tools.build_materials.color_tables import color_tables
@@ -18,6 +20,8 @@ from tools.build_materials.writing import list_text, object_text
 
 COLOR_TABLES = "app/optics/tables/cie_360_830_1nm.csv"
 SAMPLES = "tests/materials/package_samples.json"
+SCANNED = 20001
+"""Wavelengths at which a formula has to make sense."""
 
 
 def generated_files(root: Path) -> dict[str, str]:
@@ -77,8 +81,18 @@ def spectrum_file(choice: Choice, database: Database) -> SpectrumFile:
         n=page.n,
         k=page.k,
     )
-    seen = Spectrum(file).visible.warnings
-    return file.model_copy(update={"warnings": (*page.warnings, *seen)})
+    spectrum = Spectrum(file)
+    _refuse_impossible(spectrum)
+    return file.model_copy(update={"warnings": (*page.warnings, *spectrum.visible.warnings)})
+
+
+def _refuse_impossible(spectrum: Spectrum) -> None:
+    """Refuse a formula that has no positive n somewhere in the range it claims."""
+    low, high = spectrum.n_range_nm
+    with np.errstate(invalid="ignore", divide="ignore"):
+        n = spectrum.n(np.clip(np.geomspace(low, high, SCANNED), low, high))
+    if not bool(np.all(np.isfinite(n) & (n > 0.0))):
+        raise ValueError(f"n of {spectrum.id} is no positive number throughout its range")
 
 
 def _refuse_ambiguity(presets: list[Preset]) -> None:

@@ -1,0 +1,12 @@
+"""The catalog that comes with the program."""
+
+from __future__ import annotations
+
+import pytest
+
+from app.materials import Catalog, load_catalog
+
+
+@pytest.fixture(scope="session")
+def catalog() -> Catalog:
+    return load_catalog()

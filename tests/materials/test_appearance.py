@@ -1,0 +1,153 @@
+"""R over angle and wavelength, and its color."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from app.materials import (
+    Catalog,
+    WavelengthOutOfRange,
+    appearance,
+    color_curve,
+    f82_tint,
+    interface,
+    reflectance,
+    rgb_constants,
+)
+from app.optics.amplitudes import power
+from app.optics.color import WAVELENGTH_NM, luminance
+from app.optics.incidence import Incidence
+from app.optics.interface import MU_BAR, Interface
+
+ROUNDING = 1e-12
+INDEX_DECIMALS = 5.1e-7
+ANGLES = Incidence.from_degrees(np.linspace(0.0, 90.0, 13))
+
+
+def test_shape_is_the_angles_then_the_wavelengths(catalog: Catalog) -> None:
+    copper = catalog.spectrum("Cu")
+    grid = Incidence.from_degrees(np.zeros((2, 4)))
+    assert reflectance(copper, grid, [500.0, 600.0, 700.0]).R.shape == (2, 4, 3)
+    assert reflectance(copper, grid, 500.0).R.shape == (2, 4)
+    assert reflectance(copper, Incidence.from_degrees(0.0), 500.0).R.shape == ()
+    assert color_curve(copper, grid).shape == (2, 4, 3)
+    assert color_curve(copper, Incidence.from_degrees(10.0)).shape == (3,)
+    assert color_curve(copper, Incidence.from_degrees([])).shape == (0, 3)
+
+
+def test_each_value_is_the_exact_one(catalog: Catalog) -> None:
+    copper = catalog.spectrum("Cu")
+    table = reflectance(copper, ANGLES, [450.0, 650.0], n_i=[1.34, 1.33]).R
+    for column, (wavelength, n_i) in enumerate([(450.0, 1.34), (650.0, 1.33)]):
+        alone = power(interface(copper, wavelength, n_i), ANGLES).R
+        np.testing.assert_array_equal(table[:, column], alone)
+
+
+def test_reflectance_is_refused_where_n_or_k_is_not_known(catalog: Catalog) -> None:
+    with pytest.raises(WavelengthOutOfRange, match="n of Cu"):
+        reflectance(catalog.spectrum("Cu"), ANGLES, [500.0, 2000.0])
+    with pytest.raises(WavelengthOutOfRange, match="k of LASF9"):
+        reflectance(catalog.spectrum("LASF9"), ANGLES, 367.0)
+
+
+def test_unknown_k_reflects_as_a_dielectric(catalog: Catalog) -> None:
+    water = catalog.spectrum("water")
+    boundary = interface(water, 589.0)
+    assert boundary.kind == "dielectric"
+    assert "k is not known and counts as 0" in appearance(water).warnings
+
+
+def test_color_at_both_ends_and_at_f82(catalog: Catalog) -> None:
+    gold = catalog.spectrum("Au")
+    look = appearance(gold)
+    rgb = color_curve(gold, Incidence.from_cosine([1.0, MU_BAR, 0.0]))
+    np.testing.assert_allclose(rgb[0], look.F0, rtol=0, atol=ROUNDING)
+    np.testing.assert_allclose(rgb[1], look.F82, rtol=0, atol=ROUNDING)
+    np.testing.assert_allclose(rgb[2], 1.0, rtol=0, atol=ROUNDING)
+    np.testing.assert_array_equal(look.F82_tint, f82_tint(look.F0, look.F82))
+
+
+def test_long_curves_are_made_in_pieces(catalog: Catalog) -> None:
+    copper = catalog.spectrum("Cu")
+    degrees = np.linspace(0.0, 90.0, 601)
+    whole = color_curve(copper, Incidence.from_degrees(degrees))
+    parts = [
+        color_curve(copper, Incidence.from_degrees(degrees[i : i + 7])) for i in range(0, 601, 7)
+    ]
+    np.testing.assert_allclose(whole, np.concatenate(parts), rtol=0, atol=ROUNDING)
+
+
+def test_incident_media_darken(catalog: Catalog) -> None:
+    water = catalog.spectrum("water").visible.n
+    diamond = catalog.spectrum("diamond")
+    assert np.all(appearance(diamond, n_i=water).F0 < appearance(diamond).F0)
+
+
+def test_adapted_illuminants_agree_and_others_do_not(catalog: Catalog) -> None:
+    silver = catalog.spectrum("Ag")
+    day, equal = appearance(silver), appearance(silver, illuminant="E")
+    np.testing.assert_allclose(equal.F0, day.F0, rtol=0, atol=2e-3)
+    raw = appearance(silver, illuminant="E", adaptation="none")
+    assert raw.F0[0] - day.F0[0] == pytest.approx(0.20, abs=0.01)
+
+
+def test_averaged_constants_keep_what_does_not_vary(catalog: Catalog) -> None:
+    helium = catalog.spectrum("He")
+    n, k = rgb_constants(helium)
+    np.testing.assert_allclose(n, helium.n(587.6), rtol=0, atol=1e-5)
+    np.testing.assert_array_equal(k, 0.0)
+
+
+def test_averaged_constants_of_gold_miss_its_color(catalog: Catalog) -> None:
+    # Why n, k triples are no substitute for spectra; red is most wrong, where n is near 0.
+    gold = catalog.spectrum("Au")
+    n, k = rgb_constants(gold)
+    error = Interface(n_t=n, k_t=k).F0 - appearance(gold).F0
+    assert np.abs(error).max() > 0.03
+
+
+def test_averaged_constants_stay_legal_where_a_channel_is_negative(catalog: Catalog) -> None:
+    for id in ("Cu-Babar", "GaP", "AlSb"):  # noqa: A001
+        n, k = rgb_constants(catalog.spectrum(id))
+        assert n.min() > 0.0
+        assert k.min() >= 0.0
+
+
+def test_every_material_is_physical(catalog: Catalog) -> None:
+    for preset in catalog.presets:
+        if preset.kind == "single":
+            continue
+        spectrum = catalog.spectrum(preset.id)
+        low, high = spectrum.range_nm
+        within = np.clip(np.geomspace(max(low, 1.0), min(high, 2e4), 400), low, high)
+        n, k = spectrum.n(within), spectrum.k(within)
+        assert np.all(n > 0.0), preset.id
+        assert k is None or np.all(k >= 0.0), preset.id
+        seen = spectrum.visible
+        F0 = Interface(n_t=seen.n, k_t=seen.k).F0
+        assert np.all((F0 >= 0.0) & (F0 <= 1.0)), preset.id
+
+
+def test_the_index_is_what_the_spectra_give(catalog: Catalog) -> None:
+    for preset in catalog.presets:
+        if preset.kind == "single":
+            continue
+        spectrum = catalog.spectrum(preset.id)
+        look = appearance(spectrum)
+        for name in ("F0", "F82", "F82_tint"):
+            np.testing.assert_allclose(
+                getattr(preset.color, name),
+                getattr(look, name),
+                rtol=0,
+                atol=INDEX_DECIMALS,
+                err_msg=preset.id,
+            )
+        assert preset.color.luminance == pytest.approx(look.luminance, abs=INDEX_DECIMALS)
+        at_reference = interface(spectrum, 587.6)
+        np.testing.assert_allclose(preset.F0, at_reference.F0, rtol=1e-9)
+        assert spectrum.n(587.6) == pytest.approx(preset.n, rel=1e-9)
+        seen = spectrum.visible
+        bright = luminance(Interface(n_t=seen.n, k_t=seen.k).F0)
+        assert look.luminance == bright
+        assert seen.n.shape == WAVELENGTH_NM.shape

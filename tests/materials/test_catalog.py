@@ -1,0 +1,183 @@
+"""Finding materials: ids, aliases, typing errors, categories, rivals, constants."""
+
+from __future__ import annotations
+
+import tracemalloc
+from collections import Counter
+from time import perf_counter
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.materials import (
+    Catalog,
+    NoSpectrum,
+    UnknownMaterial,
+    WavelengthOutOfRange,
+    load_catalog,
+)
+from app.optics.errors import NotAllowed, UnknownName
+
+LOAD_SECONDS = 0.150
+LOAD_BYTES = 40e6
+
+CONDUCTORS = {"metal", "alloy", "semimetal", "semiconductor", "ceramic"}
+DIELECTRICS = {"gas", "liquid", "glass", "polymer", "crystal"}
+
+
+def test_there_is_enough_of_everything(catalog: Catalog) -> None:
+    chosen = [p for p in catalog.presets if p.kind == "spectrum" and p.rival_of is None]
+    assert sum(preset.category in CONDUCTORS for preset in chosen) >= 30
+    assert sum(preset.category in DIELECTRICS for preset in chosen) >= 25
+    assert sum(preset.rival_of is not None for preset in catalog.presets) >= 20
+    tables = Counter(p.id.rsplit("-", 1)[1] for p in catalog.presets if p.kind == "single")
+    assert tables == {"shirley": 19, "wloka": 23}
+
+
+@pytest.mark.parametrize(
+    ("asked", "found"),
+    [
+        ("Au", "Au"),
+        ("au", "Au"),
+        ("gold", "Au"),
+        ("GOLD", "Au"),
+        (" aurum ", "Au"),
+        ("water", "water"),
+        ("H2O", "water"),
+        ("Diamond", "diamond"),
+        ("salt", "NaCl"),
+        ("garnet", "garnet-wloka"),
+        ("steel", "stainless"),
+        ("Co", "Co"),
+        ("CO2", "CO2"),
+        ("au-johnson", "Au-Johnson"),
+    ],
+)
+def test_ids_aliases_and_names_lead_there(catalog: Catalog, asked: str, found: str) -> None:
+    assert catalog.get(asked).id == found
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("Aurumm", "Au"),
+        ("arum", "Au"),
+        ("golde", "Au"),
+        ("goold", "Au"),
+        ("coper", "Cu"),
+        ("aluminnium", "Al"),
+        ("diamnod", "diamond"),
+        ("plexiglass", "PMMA"),
+        ("saphire", "sapphire-o"),
+    ],
+)
+def test_typing_errors_are_answered_with_what_was_meant(
+    catalog: Catalog, typed: str, meant: str
+) -> None:
+    with pytest.raises(UnknownMaterial) as caught:
+        catalog.get(typed)
+    assert caught.value.parameter == "material"
+    assert caught.value.nearest[0] == meant
+    assert meant in caught.value.allowed
+
+
+def test_nothing_like_it_has_no_suggestion(catalog: Catalog) -> None:
+    with pytest.raises(UnknownName) as caught:
+        catalog.get("zzzzzzzz")
+    assert caught.value.nearest == []
+
+
+@pytest.mark.parametrize("query", ["au", "gold", "Aurum", "GOL", "Au"])
+def test_search_finds_gold_first(catalog: Catalog, query: str) -> None:
+    assert catalog.search(query)[0].id == "Au"
+
+
+def test_search_ranks_rivals_after_materials_and_references_last(catalog: Catalog) -> None:
+    gold = [preset.id for preset in catalog.search("gold")]
+    assert gold[0] == "Au"
+    assert {"Au-Johnson", "Au-Babar"} <= set(gold[1:])
+    johnson = [preset.id for preset in catalog.search("Christy")]
+    assert {"Ag", "Cu", "Ni", "Au-Johnson"} <= set(johnson)
+
+
+def test_search_within_a_category(catalog: Catalog) -> None:
+    assert {preset.category for preset in catalog.search(category="alloy")} == {"alloy"}
+    assert catalog.search("brass", "alloy")[0].id == "brass"
+    assert catalog.search("brass", "gas") == ()
+    assert catalog.search("  ") == catalog.search() == catalog.presets
+    counted = sum(len(catalog.search(category=category)) for category in catalog.categories)
+    assert counted == len(catalog.presets)
+
+
+@settings(deadline=None)
+@given(text=st.text(max_size=12))
+def test_any_text_can_be_asked_for(catalog: Catalog, text: str) -> None:
+    found = catalog.search(text)
+    assert len(found) == len({preset.id for preset in found})
+    assert all(catalog.get(id).id == id for id in catalog.nearest(text))  # noqa: A001
+
+
+def test_every_preset_is_found_by_its_id(catalog: Catalog) -> None:
+    assert all(catalog.get(preset.id) is preset for preset in catalog.presets)
+    assert all(catalog.search(preset.id)[0].id == preset.id for preset in catalog.presets)
+
+
+def test_constants_at_the_reference_and_elsewhere(catalog: Catalog) -> None:
+    gold = catalog.get("Au")
+    there = catalog.constants("gold")
+    assert there.n == pytest.approx(gold.n)
+    assert there.k == pytest.approx(gold.k)
+    assert there.wavelength_nm == 587.6
+    assert catalog.constants("Au", 450.0).n > 1.0
+    assert catalog.constants("fused-silica").k is None
+    with pytest.raises(WavelengthOutOfRange, match="300 to 24930 nm"):
+        catalog.constants("Au", 250.0)
+
+
+def test_single_indices_hold_at_their_own_wavelength_alone(catalog: Catalog) -> None:
+    assert catalog.constants("water-shirley").n == 1.333
+    assert catalog.constants("water-shirley", 589.0).n == 1.333
+    with pytest.raises(WavelengthOutOfRange, match="589 nm"):
+        catalog.constants("water-shirley", 500.0)
+    assert catalog.constants("water-wloka").wavelength_nm is None
+    with pytest.raises(NotAllowed, match="names none"):
+        catalog.constants("water-wloka", 589.0)
+    with pytest.raises(NoSpectrum, match="single index"):
+        catalog.spectrum("water-wloka")
+
+
+def test_spectra_are_read_once(catalog: Catalog) -> None:
+    assert catalog.spectrum("gold") is catalog.spectrum("Au")
+
+
+def test_rivals_know_each_other(catalog: Catalog) -> None:
+    of_gold = {preset.id for preset in catalog.rivals("Au")}
+    assert of_gold == {"Au-Johnson", "Au-McPeak", "Au-Babar", "Au-Olmon-sc", "Au-Hagemann"}
+    assert {preset.id for preset in catalog.rivals("Au-Babar")} == of_gold - {"Au-Babar"} | {"Au"}
+    assert catalog.rivals("garnet-wloka") == ()
+    alone = catalog.spread("Hg")
+    assert alone.minimum == alone.maximum == catalog.get("Hg").color.luminance
+
+
+def test_loading_is_fast() -> None:
+    load_catalog()
+    times = []
+    for _ in range(5):
+        start = perf_counter()
+        load_catalog()
+        times.append(perf_counter() - start)
+    assert min(times) < LOAD_SECONDS
+
+
+def test_loading_is_small_even_with_every_spectrum() -> None:
+    tracemalloc.start()
+    try:
+        catalog = load_catalog()
+        for preset in catalog.presets:
+            if preset.kind == "spectrum":
+                assert catalog.spectrum(preset.id).visible.n.size == 471
+        used, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert max(used, peak) < LOAD_BYTES
