@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.optics.brewster import brewster_factor
+from app.optics.critical import normal_square
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
@@ -82,13 +83,8 @@ def wave(interface: Interface, incidence: Incidence) -> Wave:
     Wave
         Of the broadcast shape, with a >= 0 and b >= 0.
     """
-    eta, kappa, s, c = interface.eta, interface.kappa, incidence.sin, incidence.cos
-    # Re q^2 + kappa^2 = eta^2 - s^2, by whichever factors stay exact: near grazing incidence s is
-    # rounded while c is not, near normal incidence the other way round.
-    lossless = np.where(
-        s * s < 0.5, (eta - s) * (eta + s), interface.eta_minus_1 * (eta + 1.0) + c * c
-    )
-    real = lossless - kappa * kappa
+    eta, kappa = interface.eta, interface.kappa
+    real = normal_square(interface, incidence) - kappa * kappa
     product = eta * kappa
     # The larger of a and b by a sum of positive terms, the smaller from a b = eta kappa.
     larger = np.sqrt(0.5 * (np.hypot(real, 2.0 * product) + np.abs(real)))
@@ -142,8 +138,8 @@ def amplitudes(interface: Interface, incidence: Incidence) -> Amplitudes:
 def power(interface: Interface, incidence: Incidence) -> Power:
     """Reflected and transmitted power for s and p polarization, in real arithmetic.
 
-    Relative accuracy is 1e-12 for Rs, Rp and R at every angle given in degrees, but for 1e-6 rad
-    about the critical angle, where the values themselves turn vertical.
+    Relative accuracy is 1e-12 at every angle given in degrees, Brewster's and the critical angle
+    included, about which the plain forms lose their digits.
 
     Parameters
     ----------
