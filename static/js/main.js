@@ -161,6 +161,9 @@ async function start() {
           schedule();
         },
         onProblem(problem) {
+          // What concerns one panel of a view is said there.
+          if (current()?.view.problem?.(name, { title: problem.title, lines: lines(problem) }))
+            return;
           broken.add(name);
           shell.notice("server", {
             title: problem.title,
@@ -188,8 +191,8 @@ async function start() {
   function ask() {
     const here = current();
     if (!here) return;
-    for (const [name, path] of Object.entries(here.module.queries(state.get(), catalog)))
-      runner(name).request(path);
+    const wanted = here.module.queries(state.get(), catalog, state.moving());
+    for (const [name, path] of Object.entries(wanted)) runner(name).request(path);
   }
 
   function schedule() {
@@ -248,6 +251,14 @@ async function start() {
   async function followLink() {
     const asked = new URLSearchParams(location.search).get("view");
     await open(VIEWS.some((v) => v.id === asked) ? /** @type {string} */ (asked) : "explore");
+    // A link made after a visit to other views carries their state too.
+    if ([...new URLSearchParams(location.search).keys()].some((key) => !(key in state.get()))) {
+      for (const { fields } of await Promise.all(VIEWS.map((v) => v.load()))) {
+        const more = fields(catalog);
+        state.extend(more);
+        for (const [key, field] of Object.entries(more)) presets[key] ??= field.default;
+      }
+    }
     const problems = state.fromQuery(location.search);
     shell.notice(
       "link",

@@ -2,7 +2,7 @@
  * The shapes that the API sends; types only, nothing is loaded from here at run time.
  *
  * @typedef {{name: string, symbol: string, default: number | null, minimum: number, maximum: number,
- *   unit: string, description: string, integer?: boolean, choices?: [string, number][]}} Parameter
+ *   unit: string, description: string, integer?: boolean, choices?: [string, number][], triple?: boolean}} Parameter
  * @typedef {{id: string, title: string, kind: string, applies_to: string[], parameters: Parameter[],
  *   latex: string, reference: string, validity: string, cost: unknown}} Model
  * @typedef {{id: string, name: string, category: string, n: number, k: number | null,
@@ -36,12 +36,15 @@
  * @property {(state: State, answers: Record<string, any>, moving: boolean) => void} update
  * @property {(state: State, answers: Record<string, any>) => string} sentence
  * @property {() => void} theme
+ * @property {(name: string, problem: {title: string, lines: string[]}) => boolean} [problem] whether the view
+ *   says itself what went wrong with this query
  * @property {() => void} deactivate
  * @property {() => void} destroy
  * @typedef {object} ViewModule
  * @property {(catalog: Catalog) => Record<string, import('./state.js').Field>} fields
  * @property {(context: ViewContext) => View} createView
- * @property {(state: State, catalog: Catalog) => Record<string, string>} queries
+ * @property {(state: State, catalog: Catalog, moving?: boolean) => Record<string, string>} queries what is left out
+ *   keeps its last answer
  * @property {(state: State, catalog: Catalog) => string[]} restCalls
  */
 
