@@ -5,7 +5,7 @@ import numpy as np
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Measured, Model
 from app.optics.specular import F0, no_critical_angle, only_F0
 
 
@@ -38,4 +38,9 @@ MODEL = Model(
     parameters=(F0,),
     solve=only_F0,
     limits=no_critical_angle,
+    measured=(
+        Measured(1, 0.27, 2.9, max_abs=0.485, at_deg=88.5, rms=0.147),
+        Measured(1, 2.9, 3, max_abs=0.147, at_deg=86.1, rms=0.0576),
+        Measured(1, 1.5, 5, max_abs=0.386, at_deg=87.8, rms=0.119),
+    ),
 )

@@ -7,7 +7,7 @@ import numpy as np
 from app.optics.incidence import Incidence
 from app.optics.interface import MU_BAR, Interface
 from app.optics.parameters import Array, Parameter
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Measured, Model
 from app.optics.specular import DIP_SCALE, F0, dip, polynomial
 
 TINT = Parameter(
@@ -53,4 +53,9 @@ MODEL = Model(
     function=f82_tint,
     parameters=(F0, TINT),
     solve=_solve,
+    measured=(
+        Measured(1, 0.27, 2.9, max_abs=0.00841, at_deg=68.8, rms=0.00486),
+        Measured(1, 2.9, 3, max_abs=0.0177, at_deg=87.1, rms=0.00685),
+        Measured(1, 1.5, 5, max_abs=0.0114, at_deg=58.9, rms=0.00591),
+    ),
 )

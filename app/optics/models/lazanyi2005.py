@@ -11,7 +11,7 @@ from app.optics.interface import Interface
 from app.optics.models.lagarde_conductor import lagarde_conductor
 from app.optics.models.schlick_ior import schlick_ior
 from app.optics.parameters import Array, Parameter
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Measured, Model
 
 ALPHA = Parameter(
     "alpha",
@@ -111,10 +111,15 @@ MODEL = Model(
     reference="I. Lazányi and L. Szirmay-Kalos, Fresnel Term Approximations for Metals, WSCG 2005; "
     "alpha as solved in S. Lagarde, Memo on Fresnel equations (2013)",
     validity="Metals with a dip. Alpha has to be found for every index, and meeting the largest error "
-    "at one angle does not make the error least: near normal incidence the term takes too much.",
+    "at one angle does not make the error least: nearer the normal much of Schlick's error remains.",
     cost=Cost(add=3, mul=6, pow=1),
     function=lazanyi2005,
     parameters=(A, ALPHA),
     solve=_solve,
     limits=_outside,
+    measured=(
+        Measured(1, 0.27, 2.9, max_abs=0.0148, at_deg=85.5, rms=0.0064),
+        Measured(1, 2.9, 3, max_abs=0.0626, at_deg=73.3, rms=0.032),
+        Measured(1, 1.5, 5, max_abs=0.0285, at_deg=68.2, rms=0.0158),
+    ),
 )

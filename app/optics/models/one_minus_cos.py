@@ -5,7 +5,7 @@ import numpy as np
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Measured, Model
 from app.optics.specular import no_critical_angle
 
 
@@ -26,4 +26,9 @@ MODEL = Model(
     cost=Cost(add=1),
     function=one_minus_cos,
     limits=no_critical_angle,
+    measured=(
+        Measured(1, 1.333, 0, max_abs=0.532, at_deg=73.1, rms=0.368),
+        Measured(1, 1.5, 0, max_abs=0.492, at_deg=72.8, rms=0.34),
+        Measured(1, 2.417, 0, max_abs=0.411, at_deg=75.9, rms=0.267),
+    ),
 )

@@ -5,7 +5,7 @@ import numpy as np
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Measured, Model
 from app.optics.specular import F0, fifth_power, no_critical_angle, only_F0
 
 
@@ -31,4 +31,8 @@ MODEL = Model(
     parameters=(F0,),
     solve=only_F0,
     limits=no_critical_angle,
+    measured=(
+        Measured(1, 1.1, 0, max_abs=0.887, at_deg=90.0, rms=0.196),
+        Measured(1, 1.5, 0, max_abs=0.0357, at_deg=85.0, rms=0.0163),
+    ),
 )

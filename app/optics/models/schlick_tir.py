@@ -5,18 +5,22 @@ import numpy as np
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Measured, Model
 from app.optics.specular import polynomial
 
 
 def schlick_tir(interface: Interface, incidence: Incidence) -> Array:
-    """Schlick with cos(theta_t) where n_i > n_t, and 1 beyond the critical angle."""
+    """Schlick with cos(theta_t) where n_i > n_t, and 1 beyond the critical angle.
+
+    NaN from the denser side of an absorber, which has no critical angle.
+    """
     eta, s = interface.eta, incidence.sin
     # The product keeps the digits that 1 - sin^2 / eta^2 would lose near the critical angle.
     cos2_t = (eta - s) * (eta + s) / (eta * eta)
     dense = interface.n_i > interface.n_t
     mu = np.where(dense, np.sqrt(np.maximum(cos2_t, 0.0)), incidence.cos)
-    return np.where(dense & (cos2_t < 0.0), 1.0, polynomial(interface.F0, mu))
+    R = np.where(dense & (cos2_t < 0.0), 1.0, polynomial(interface.F0, mu))
+    return np.where(dense & (interface.k_t > 0.0), np.nan, R)
 
 
 MODEL = Model(
@@ -32,4 +36,10 @@ MODEL = Model(
     "thinner, because both see the same pair of angles.",
     cost=Cost(add=4, mul=6, sqrt=1),
     function=schlick_tir,
+    measured=(
+        Measured(1, 1.333, 0, max_abs=0.0592, at_deg=83.8, rms=0.0246),
+        Measured(1, 1.5, 0, max_abs=0.0357, at_deg=85.0, rms=0.0163),
+        Measured(1.333, 1, 0, max_abs=0.0592, at_deg=48.2, rms=0.00863),
+        Measured(1.5, 1, 0, max_abs=0.0357, at_deg=41.6, rms=0.00616),
+    ),
 )

@@ -5,7 +5,7 @@ import numpy as np
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Measured, Model
 from app.optics.specular import polynomial
 
 
@@ -32,4 +32,8 @@ MODEL = Model(
     cost=Cost(add=2, mul=4),
     function=schlick_wrong_angle,
     limits=_always_wrong,
+    measured=(
+        Measured(1.333, 1, 0, max_abs=0.975, at_deg=48.6, rms=0.638),
+        Measured(1.5, 1, 0, max_abs=0.959, at_deg=41.8, rms=0.684),
+    ),
 )
