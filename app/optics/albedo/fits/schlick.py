@@ -1,0 +1,55 @@
+"""Averages of Schlick's polynomial and of its descendants, from F0 (and F82) alone."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app.optics.albedo.fit import Claim, Domain, Fit
+from app.optics.albedo.fits.conductor import METALS
+from app.optics.interface import MU_BAR, Interface
+from app.optics.parameters import Array
+from app.optics.specular import DIP_SCALE, polynomial
+
+_GLASSES = Domain(eta=(1.0, 3.0))
+_OURS = "no figure published; measured here"
+
+
+def _claim(domain: Domain, measured: float, at: tuple[float, float]) -> Claim:
+    return Claim(domain=domain, source=_OURS, measured=measured, at=at, measured_over=domain)
+
+
+def _schlick(interface: Interface) -> Array:
+    F0 = interface.F0
+    return F0 + (1.0 - F0) / 21.0
+
+
+def _f82_tint(interface: Interface) -> Array:
+    # S(mu_bar) (1 - tint) with tint = F82 / S(mu_bar).
+    missing = polynomial(interface.F0, np.asarray(MU_BAR)) - interface.F82
+    return np.asarray(_schlick(interface) - DIP_SCALE * missing / 126.0)
+
+
+FITS = (
+    Fit(
+        id="schlick",
+        title="Schlick's albedo of F0",
+        domains=(_GLASSES, METALS),
+        latex=r"A\approx F_0+\frac{1-F_0}{21}",
+        reference="The average of C. Schlick's polynomial, 1994: 2 B(2, 6) = 1/21",
+        note="Exact for Schlick's own curve; 1/21 remains at n = 1.",
+        claims=(_claim(_GLASSES, 0.0477, (1.0, 0.0)), _claim(METALS, 0.0362, (4.0, 4.83))),
+        function=_schlick,
+    ),
+    Fit(
+        id="f82_tint",
+        title="F82-tint's albedo",
+        domains=(METALS,),
+        latex=r"A\approx F_0+\frac{1-F_0}{21}-\frac{b}{126},\quad "
+        r"b=\frac{S(\bar\mu)-F_{82}}{\bar\mu(1-\bar\mu)^6},\quad \bar\mu=\tfrac17",
+        reference="P. Kutz, M. Hašan and D. Edmondson, Novel Aspects of the Adobe Standard Material "
+        "(2021); OpenPBR; in Blender Cycles",
+        note="Exact for the model f82_tint, and so for hoffman_f82, which is the same curve.",
+        claims=(_claim(METALS, 0.0125, (0.83, 1.7)),),
+        function=_f82_tint,
+    ),
+)
