@@ -184,7 +184,14 @@ export function createPlot(element, options) {
     const size = { width: area.clientWidth, height: area.clientHeight };
     if (destroyed || traces.length === 0 || size.width < SMALLEST || size.height < SMALLEST) return;
     marksRow ||= marks.some((mark) => mark.kind === "landmark");
-    arrangement = arrange({ size, axes, traces, measure: overlay.tickWidth, marksRow });
+    arrangement = arrange({
+      size,
+      axes,
+      traces,
+      measure: overlay.tickWidth,
+      marksRow,
+      unit: theme.unit,
+    });
     const drawn = Plotly.react(
       canvas,
       plotlyTraces(traces, theme),

@@ -11,7 +11,7 @@ import { angleAt } from "./geometry.js";
  * @typedef {object} DragActions
  * @property {(theta_i_deg: number, how: {fine: boolean, free: boolean}) => void} onTheta
  * @property {() => void} [onSettle]
- * @property {(kind: "step+" | "step-" | "fine+" | "fine-" | "page+" | "page-" | "home" | "end") => void} [onStep]
+ * @property {(kind: "+" | "-" | "fine+" | "fine-" | "page+" | "page-" | "home" | "end") => void} [onStep]
  */
 
 /** With Shift the ray turns by this share of the pointer's turn. */
@@ -91,7 +91,7 @@ export function listenForDrags({ host, handle, grip, stage, theta, actions }) {
 
   /** @param {KeyboardEvent} event */
   const kindOf = (event) => {
-    const arrow = event.shiftKey ? "fine" : "step";
+    const arrow = event.shiftKey ? "fine" : "";
     /** @type {Record<string, string>} */
     const kinds = {
       ArrowRight: `${arrow}+`,

@@ -13,6 +13,9 @@
  * @property {number} length of an arrow that carries all of the light
  * @property {number} arc radius of the angles' arcs
  * @property {number} wavelength px that stand for one vacuum wavelength of depth
+ * @property {number} inset px of words from the edge
+ * @property {number} unit how much larger than at a desk everything is written
+ * @property {{top: number, bottom: number}} normal its two ends
  */
 
 const RADIAN = Math.PI / 180;
@@ -20,18 +23,27 @@ const RADIAN = Math.PI / 180;
 /**
  * @param {number} width
  * @param {number} height
+ * @param {number} [unit]
  * @returns {Stage}
  */
-export function stageOf(width, height) {
-  const length = Math.min(width * 0.42, height * 0.42, 420);
+export function stageOf(width, height, unit = 1) {
+  const length = Math.min(width, height) * 0.42;
+  const y = Math.round(height / 2);
+  const inset = (width < 400 ? 12 : 16) * unit;
   return {
     width,
     height,
     x: Math.round(width / 2),
-    y: Math.round(height / 2),
+    y,
     length,
     arc: length * 0.4,
     wavelength: Math.round(height / 8),
+    inset,
+    unit,
+    normal: {
+      top: Math.max(inset, y - length * 1.12),
+      bottom: Math.min(height - inset, y + length * 1.12),
+    },
   };
 }
 
@@ -103,13 +115,44 @@ export function arcChords(origin, radius, degrees, ray) {
  * The arrow for a share of the light: as long as the share, and as heavy. A head longer than its
  * arrow would lie about the length, so the head gives way.
  * @param {number} share 0 … 1
- * @param {number} full px of an arrow that carries everything
+ * @param {{length: number, unit: number}} stage
  */
-export function arrowSize(share, full) {
-  const length = share * full;
-  const width = 1.25 + 2 * share;
-  const head = Math.min(length, 7 + 8 * share);
+export function arrowSize(share, stage) {
+  const length = share * stage.length;
+  const width = (1.25 + 2 * share) * stage.unit;
+  const head = Math.min(length, (7 + 8 * share) * stage.unit);
   return { length, width, head, visible: length >= 0.75 };
+}
+
+/**
+ * Where the signs of polarization stand on a ray, clear of its arrow's head and of each other.
+ * @param {Stage} stage
+ * @param {{from: number, to: number} | null} head px from the point of incidence; none on the incident ray
+ * @param {boolean} both
+ * @returns {{s: number, p: number}} px from the point of incidence
+ */
+export function signPlaces({ length, arc, unit }, head, both) {
+  if (!head)
+    return both ? { s: length * 0.69, p: length * 0.83 } : { s: length * 0.76, p: length * 0.76 };
+  const clear = 13 * unit;
+  const apart = Math.min(22 * unit, length * 0.18);
+  const before = head.from - clear;
+  const behind = head.to + clear;
+  /** @param {number} place */
+  const free = (place) => place > arc + 6 * unit && (place <= before || place >= behind);
+  if (!both) {
+    const only = [length * 0.62, before, behind].find(free) ?? behind;
+    return { s: only, p: only };
+  }
+  const [s, p] = [length * 0.54, length * 0.72];
+  /** @type {[number, number][]} */
+  const pairs = [
+    [s, p],
+    [before - apart, before],
+    [Math.min(s, before), Math.max(p, behind)],
+  ];
+  const found = pairs.find((pair) => free(pair[0]) && free(pair[1]) && pair[1] - pair[0] >= apart);
+  return found ? { s: found[0], p: found[1] } : { s: behind, p: behind + apart };
 }
 
 /** Head of an arrow one px long with its tip at the origin, pointing along +x. */

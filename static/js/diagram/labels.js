@@ -3,7 +3,7 @@
  * the frame, and where they stood before unless that has become worse.
  */
 
-import { crosses, grown, overlap, reach, within } from "../draw/boxes.js";
+import { boxOf, crosses, grown, overlap, reach, within } from "../draw/boxes.js";
 import { at, direction } from "./geometry.js";
 
 /** @typedef {import("../draw/boxes.js").Box} Box */
@@ -18,6 +18,23 @@ import { at, direction } from "./geometry.js";
 const GAP = 6;
 const BLOCKED = 1000;
 const LOYALTY = 1.2;
+const CLEAR = 2.5;
+
+/**
+ * Whether a label lies in the quadrant of what it names.
+ * @param {Point} place
+ * @param {Extent} size
+ * @param {Stage} stage
+ * @param {"incident" | "reflected" | "refracted"} ray
+ */
+function inQuadrant(place, size, stage, ray) {
+  const right = place.x - stage.x;
+  const down = place.y - stage.y;
+  return (
+    (ray === "incident" ? -right : right) > size.width / 2 &&
+    (ray === "refracted" ? down : -down) > size.height / 2
+  );
+}
 
 /**
  * Places for the name of an angle: outside its arc, inside it, or on the far side of the ray where
@@ -40,21 +57,18 @@ export function angleCandidates(stage, degrees, ray, size) {
     const inside = at(stage, along, stage.arc - GAP - half);
     out.push({ slot: `inside ${share}`, ...inside, cost: 1 + away });
     const far = at(stage, along, stage.arc + 2.2 * GAP + 2 * half);
-    out.push({ slot: `far ${share}`, ...far, cost: 1.6 + away });
+    out.push({ slot: `far ${share}`, ...far, cost: 2.2 + away });
   }
   const along = direction(degrees, ray);
   // away from the normal, at right angles to the ray
   const beside = { x: along.y, y: -along.x };
-  for (const [slot, distance] of /** @type {[string, number][]} */ ([
-    ["beside arc", stage.arc],
-    ["beside near", stage.arc * 0.7],
-    ["beside far", stage.arc * 1.35],
-    ["beside farther", stage.arc * 1.7],
-  ])) {
+  for (const share of [1, 0.85, 0.7, 0.5, 1.15, 1.35, 1.7, 2.1]) {
+    const distance = stage.arc * share;
+    const slot = `beside ${share}`;
     const point = at(at(stage, along, distance), beside, GAP + reach(size, beside.x, beside.y));
-    out.push({ slot, ...point, cost: 3 + Math.abs(distance - stage.arc) / 40 });
+    out.push({ slot, ...point, cost: 1.8 + Math.abs(distance - stage.arc) / 40 });
   }
-  return out;
+  return out.filter((place) => inQuadrant(place, size, stage, ray));
 }
 
 /**
@@ -64,9 +78,10 @@ export function angleCandidates(stage, degrees, ray, size) {
  * @param {number} length px of the arrow
  * @param {Extent} size
  * @param {number} clearance px from the arrow's middle line
+ * @param {"reflected" | "refracted"} ray
  * @returns {Candidate[]}
  */
-export function arrowCandidates(stage, along, length, size, clearance) {
+export function arrowCandidates(stage, along, length, size, clearance, ray) {
   /** @type {Candidate[]} */
   const out = [];
   for (const [side, sign] of /** @type {["right" | "left", number][]} */ ([
@@ -74,24 +89,28 @@ export function arrowCandidates(stage, along, length, size, clearance) {
     ["left", -1],
   ])) {
     // "right" is away from the normal for both arrows, which leave to the right
-    const away = along.y < 0 ? sign : -sign;
+    const away = ray === "reflected" ? sign : -sign;
     const beside = { x: -along.y * away, y: along.x * away };
-    const offset = clearance + reach(size, beside.x, beside.y);
-    for (let step = 0; step <= 16; step += 1) {
-      const distance = (stage.length * step) / 14;
-      const point = at(at(stage, along, distance), beside, offset);
-      const cost = Math.abs(distance - length) / 28 + (side === "right" ? 0 : 0.8);
-      out.push({ slot: `${side} ${step}`, ...point, cost });
+    for (const lift of [0, 8, 18]) {
+      const offset = clearance + lift * stage.unit + reach(size, beside.x, beside.y);
+      for (let step = 0; step <= 16; step += 1) {
+        const distance = (stage.length * step) / 14;
+        const point = at(at(stage, along, distance), beside, offset);
+        const far = Math.abs(distance - length) / (28 * stage.unit);
+        const cost = far + lift / 12 + (side === "right" ? 0 : 0.8);
+        out.push({ slot: `${side} ${step} ${lift}`, ...point, cost });
+      }
     }
   }
   // straight ahead of the tip
   const ahead = at(stage, along, length + GAP + reach(size, along.x, along.y));
   out.push({ slot: "ahead", ...ahead, cost: 1.5 });
-  return out;
+  return out.filter((place) => inQuadrant(place, size, stage, ray));
 }
 
 /**
- * Choose a place for each label, in the order given.
+ * Choose a place for each label, in the order given; where that leaves one in the way of another,
+ * in the opposite order.
  * @param {object} task
  * @param {readonly Wish[]} task.wishes
  * @param {Box} task.frame
@@ -101,39 +120,51 @@ export function arrowCandidates(stage, along, length, size, clearance) {
  * @returns {Map<string, Placed>}
  */
 export function placeAll({ wishes, frame, segments, boxes, previous = new Map() }) {
-  const taken = [...boxes];
-  /** @type {Map<string, Placed>} */
-  const placed = new Map();
-  for (const { id, size, candidates, optional } of wishes) {
-    const before = previous.get(id)?.slot;
-    /** @type {Candidate | null} */
-    let best = null;
-    let lowest = Number.POSITIVE_INFINITY;
-    for (const candidate of candidates) {
-      let cost = candidate.cost - (candidate.slot === before ? LOYALTY : 0);
-      if (cost >= lowest) continue;
-      const box = boxOf(candidate, size);
-      if (!within(box, frame)) continue;
-      const wide = grown(box, 2.5);
-      for (const other of taken) if (overlap(wide, other)) cost += BLOCKED;
-      if (cost >= lowest) continue;
-      for (const segment of segments) if (crosses(segment, wide)) cost += BLOCKED;
-      if (cost >= lowest) continue;
-      lowest = cost;
-      best = candidate;
+  const needed = wishes.filter((wish) => !wish.optional);
+  const optional = wishes.filter((wish) => wish.optional);
+  /** @param {readonly Wish[]} order */
+  const inOrder = (order) => {
+    const taken = [...boxes];
+    /** @type {Map<string, Placed>} */
+    const placed = new Map();
+    let blocked = 0;
+    for (const wish of order) {
+      const found = placeOne(wish, { frame, segments, taken, before: previous.get(wish.id)?.slot });
+      if (!found || (wish.optional && !found.clear)) continue;
+      if (!found.clear) blocked += 1;
+      taken.push(boxOf(found, wish.size));
+      placed.set(wish.id, found);
     }
-    if (!best || (optional && lowest >= BLOCKED / 2)) continue;
-    taken.push(boxOf(best, size));
-    placed.set(id, { id, slot: best.slot, x: best.x, y: best.y, clear: lowest < BLOCKED / 2 });
-  }
-  return placed;
+    return { placed, blocked };
+  };
+  const first = inOrder([...needed, ...optional]);
+  if (first.blocked === 0) return first.placed;
+  const second = inOrder([...needed.reverse(), ...optional]);
+  return second.blocked < first.blocked ? second.placed : first.placed;
 }
 
 /**
- * @param {Point} centre
- * @param {Extent} size
- * @returns {Box}
+ * @param {Wish} wish
+ * @param {{frame: Box, segments: readonly Segment[], taken: readonly Box[], before: string | undefined}} place
+ * @returns {Placed | null}
  */
-export function boxOf({ x, y }, { width, height }) {
-  return { x: x - width / 2, y: y - height / 2, width, height };
+function placeOne({ id, size, candidates }, { frame, segments, taken, before }) {
+  /** @type {Candidate | null} */
+  let best = null;
+  let lowest = Number.POSITIVE_INFINITY;
+  for (const candidate of candidates) {
+    let cost = candidate.cost - (candidate.slot === before ? LOYALTY : 0);
+    if (cost >= lowest) continue;
+    const box = boxOf(candidate, size);
+    if (!within(box, frame)) continue;
+    const wide = grown(box, CLEAR);
+    for (const other of taken) if (overlap(wide, other)) cost += BLOCKED;
+    if (cost >= lowest) continue;
+    for (const segment of segments) if (crosses(segment, wide)) cost += BLOCKED;
+    if (cost >= lowest) continue;
+    lowest = cost;
+    best = candidate;
+  }
+  if (!best) return null;
+  return { id, slot: best.slot, x: best.x, y: best.y, clear: lowest < BLOCKED / 2 };
 }

@@ -1,13 +1,18 @@
 /** Writing values into the scene: media, rays, signs. Attributes only, nothing is made here. */
 
+import { boxOf } from "../draw/boxes.js";
 import { put, px, show } from "../draw/svg.js";
-import { arrowSize, at } from "./geometry.js";
+import { setLabel } from "../draw/symbols.js";
+import { arrowSize, at, signPlaces } from "./geometry.js";
 import { DECAY } from "./scene.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./geometry.js").Stage} Stage */
 /** @typedef {import("./geometry.js").Point} Point */
 /** @typedef {Scene["incident"]} Arrow */
+
+/** A sign this small beside the incident one could not be told from dust. */
+const SMALLEST_SIGN = 0.12;
 
 /**
  * @param {SVGLineElement} line
@@ -44,7 +49,7 @@ function setHead(node, tip, along, size) {
  * @param {number} share
  */
 export function setArrow(arrow, stage, along, share) {
-  const { length, width, head, visible } = arrowSize(share, stage.length);
+  const { length, width, head, visible } = arrowSize(share, stage);
   show(arrow.group, visible);
   if (!visible) return;
   const tip = at(stage, along, length);
@@ -64,7 +69,7 @@ export function setArrow(arrow, stage, along, share) {
  * @param {Point} back unit vector from the point of incidence to the source
  */
 export function setIncident(arrow, stage, back) {
-  const { width, head } = arrowSize(1, stage.length);
+  const { width, head } = arrowSize(1, stage);
   setLine(arrow.shaft, at(stage, back, stage.length), stage);
   put(arrow.shaft, "stroke-width", px(width * 0.8));
   setHead(
@@ -82,22 +87,53 @@ export function setIncident(arrow, stage, back) {
  * @param {Point} along
  * @param {{s: number, p: number}} shares of the incident power of that polarization; 0 hides the sign
  * @param {boolean} both
+ * @param {number | null} share that the ray's arrow carries; null on the incident ray
+ * @param {number | null} [depth] at which an absorber has taken all but 1/e, px
+ * @returns {import("../draw/boxes.js").Box[]} what they cover
  */
-export function setSigns(signs, stage, along, shares, both) {
+export function setSigns(signs, stage, along, shares, both, share, depth = null) {
   const turn = (Math.atan2(along.y, along.x) * 180) / Math.PI;
-  const places = both ? { s: 0.68, p: 0.82 } : { s: 0.75, p: 0.75 };
+  const arrow = share === null ? null : arrowSize(share, stage);
+  const head = arrow && { from: arrow.length - arrow.head, to: arrow.length };
+  const places = signPlaces(stage, head, both);
+  /** @type {import("../draw/boxes.js").Box[]} */
+  const covered = [];
   for (const which of /** @type {const} */ (["s", "p"])) {
-    const size = Math.sqrt(shares[which]);
+    const place = at(stage, along, places[which]);
+    const left = depth === null ? 1 : Math.exp(-(place.y - stage.y) / depth);
+    const size = Math.sqrt(shares[which] * left);
     const node = signs[which];
-    show(node, size > 0.06);
-    if (size <= 0.06) continue;
-    const place = at(stage, along, stage.length * places[which]);
+    show(node, size > SMALLEST_SIGN);
+    if (size <= SMALLEST_SIGN) continue;
+    const extent = 24 * size * stage.unit;
+    covered.push(boxOf(place, { width: extent, height: extent }));
     put(
       node,
       "transform",
-      `translate(${px(place.x)},${px(place.y)})rotate(${px(turn)})scale(${Math.round(size * 100) / 100})`,
+      `translate(${px(place.x)},${px(place.y)})rotate(${px(turn)})scale(${Math.round(size * stage.unit * 100) / 100})`,
     );
   }
+  return covered;
+}
+
+/**
+ * The bar that says how many px a wavelength of depth is.
+ * @param {Scene} scene
+ * @param {Stage} stage
+ */
+export function setScale({ scaleBar, scaleText }, { width, height, inset, wavelength, unit }) {
+  const bottom = height - inset;
+  const right = width - inset;
+  const top = bottom - wavelength;
+  const half = 3 * unit;
+  put(
+    scaleBar,
+    "d",
+    `M${right - 2 * half},${top}H${right}M${right - half},${top}V${bottom}M${right - 2 * half},${bottom}H${right}`,
+  );
+  put(scaleText, "x", right - 4 * half);
+  put(scaleText, "y", (top + bottom) / 2);
+  setLabel(scaleText, "1 λ");
 }
 
 /**

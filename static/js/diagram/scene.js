@@ -18,9 +18,9 @@ function arrow(parent, className) {
   const group = svg("g", { class: className }, parent);
   return {
     group,
-    casing: svg("line", { class: "casing" }, group),
-    shaft: svg("line", { class: "shaft" }, group),
-    head: svg("path", { class: "head", d: HEAD_PATH }, group),
+    casing: svg("line", { class: "ray-casing" }, group),
+    shaft: svg("line", { class: "ray-shaft" }, group),
+    head: svg("path", { class: "ray-head", d: HEAD_PATH }, group),
   };
 }
 
@@ -29,14 +29,14 @@ function arrow(parent, className) {
  * @param {SVGElement} parent
  */
 function signs(parent) {
-  const group = svg("g", { class: "signs" }, parent);
-  const s = svg("g", { class: "sign-s" }, group);
-  svg("circle", { r: 5, class: "ring" }, s);
-  svg("circle", { r: 1.7, class: "core" }, s);
-  const p = svg("g", { class: "sign-p" }, group);
+  const group = svg("g", { class: "ray-signs" }, parent);
+  const s = svg("g", { class: "ray-sign-s" }, group);
+  svg("circle", { r: 5, class: "ray-ring" }, s);
+  svg("circle", { r: 1.7, class: "ray-core" }, s);
+  const p = svg("g", { class: "ray-sign-p" }, group);
   // across the ray, which lies along x
-  svg("path", { d: "M0,-10V10", class: "bar" }, p);
-  svg("path", { d: "M0,-12.5L3.2,-6.5H-3.2ZM0,12.5L3.2,6.5H-3.2Z", class: "tips" }, p);
+  svg("path", { d: "M0,-10V10", class: "ray-bar" }, p);
+  svg("path", { d: "M0,-12.5L3.2,-6.5H-3.2ZM0,12.5L3.2,6.5H-3.2Z", class: "ray-tips" }, p);
   return { group, s, p };
 }
 
@@ -57,7 +57,7 @@ function decay(defs, id, opacity) {
       "stop",
       {
         offset: depths / deepest,
-        class: `${id.replace(/-\d+$/u, "")}-stop`,
+        class: `ray-${id.replace(/-\d+$/u, "")}-stop`,
         "stop-opacity": opacity(depths).toFixed(4),
       },
       gradient,
@@ -78,34 +78,34 @@ export function createScene() {
   const glow = decay(defs, `glow-${own}`, (depths) => Math.exp(-depths));
 
   const media = svg("g", {}, root);
-  const upper = svg("rect", { class: "medium upper", x: 0, y: 0 }, media);
-  const lower = svg("rect", { class: "medium lower", x: 0 }, media);
-  const dark = svg("rect", { class: "darkness", x: 0, fill: `url(#darkness-${own})` }, media);
-  const light = svg("rect", { class: "glow", x: 0, fill: `url(#glow-${own})` }, media);
+  const upper = svg("rect", { class: "ray-medium ray-upper", x: 0, y: 0 }, media);
+  const lower = svg("rect", { class: "ray-medium ray-lower", x: 0 }, media);
+  const dark = svg("rect", { class: "ray-darkness", x: 0, fill: `url(#darkness-${own})` }, media);
+  const light = svg("rect", { class: "ray-glow", x: 0, fill: `url(#glow-${own})` }, media);
 
-  const guides = svg("g", { class: "guides" }, root);
-  const protractor = svg("path", { class: "protractor" }, guides);
+  const guides = svg("g", { class: "ray-guides" }, root);
+  const protractor = svg("path", { class: "ray-protractor" }, guides);
   const marks = Array.from({ length: LANDMARKS }, () => ({
-    line: svg("line", { class: "landmark" }, guides),
-    name: svg("text", { class: "landmark-name" }, guides),
+    line: svg("line", { class: "ray-landmark" }, guides),
+    name: svg("text", { class: "ray-landmark-name" }, guides),
   }));
-  const normal = svg("line", { class: "normal" }, guides);
-  const surface = svg("line", { class: "surface", x1: 0 }, guides);
-  const arcIncident = svg("path", { class: "angle" }, guides);
-  const arcRefracted = svg("path", { class: "angle" }, guides);
-  const pathReflected = svg("line", { class: "direction" }, guides);
-  const pathRefracted = svg("line", { class: "direction" }, guides);
+  const normal = svg("line", { class: "ray-normal" }, guides);
+  const surface = svg("line", { class: "ray-surface", x1: 0 }, guides);
+  const arcIncident = svg("path", { class: "ray-angle" }, guides);
+  const arcRefracted = svg("path", { class: "ray-angle" }, guides);
+  const pathReflected = svg("line", { class: "ray-direction" }, guides);
+  const pathRefracted = svg("line", { class: "ray-direction" }, guides);
 
-  const rays = svg("g", { class: "rays" }, root);
-  const incident = arrow(rays, "ray incident");
-  const refracted = arrow(rays, "ray refracted");
-  const reflected = arrow(rays, "ray reflected");
-  const grip = svg("line", { class: "grip" }, rays);
+  const rays = svg("g", { class: "ray-arrows" }, root);
+  const incident = arrow(rays, "ray-arrow ray-incident");
+  const refracted = arrow(rays, "ray-arrow ray-refracted");
+  const reflected = arrow(rays, "ray-arrow ray-reflected");
+  const grip = svg("line", { class: "ray-grip" }, rays);
   const signsIncident = signs(rays);
   const signsReflected = signs(rays);
   const signsRefracted = signs(rays);
 
-  const words = svg("g", { class: "words" }, root);
+  const words = svg("g", { class: "ray-words" }, root);
   const text = (/** @type {string} */ className) => svg("text", { class: className }, words);
   return {
     root,
@@ -129,19 +129,19 @@ export function createScene() {
     grip,
     signs: { incident: signsIncident, reflected: signsReflected, refracted: signsRefracted },
     words,
-    upperName: text("medium-name"),
-    upperIndex: text("medium-index"),
-    lowerName: text("medium-name"),
-    lowerIndex: text("medium-index"),
-    depth: text("medium-index"),
-    total: text("total"),
-    totalRest: text("total"),
-    thetaIncident: text("theta"),
-    thetaRefracted: text("theta"),
-    shareReflected: text("share"),
-    shareRefracted: text("share"),
-    scaleBar: svg("path", { class: "scale-bar" }, words),
-    scaleText: text("scale-text"),
+    upperName: text("ray-medium-name"),
+    upperIndex: text("ray-medium-index"),
+    lowerName: text("ray-medium-name"),
+    lowerIndex: text("ray-medium-index"),
+    depth: text("ray-medium-index"),
+    total: text("ray-total"),
+    totalRest: text("ray-total"),
+    thetaIncident: text("ray-theta"),
+    thetaRefracted: text("ray-theta"),
+    shareReflected: text("ray-share"),
+    shareRefracted: text("ray-share"),
+    scaleBar: svg("path", { class: "ray-scale-bar" }, words),
+    scaleText: text("ray-scale-text"),
   };
 }
 

@@ -76,3 +76,12 @@ export function crosses({ x1, y1, x2, y2 }, box) {
 export function reach({ width, height }, dx, dy) {
   return (Math.abs(dx) * width + Math.abs(dy) * height) / 2;
 }
+
+/**
+ * @param {{x: number, y: number}} centre
+ * @param {{width: number, height: number}} size
+ * @returns {Box}
+ */
+export function boxOf({ x, y }, { width, height }) {
+  return { x: x - width / 2, y: y - height / 2, width, height };
+}

@@ -1,7 +1,7 @@
 /**
  * Mathematical symbols in plain labels: `R_s`, `θ_i = 64°`, `F_{R} 11 %`.
  *
- * A letter with a subscript, or a label that is one letter, is set in the italic of mathematics;
+ * A letter with a subscript, a lone Greek letter, or a label that is one letter, is set in the italic of mathematics;
  * everything else stays in the text face.
  */
 
@@ -12,7 +12,8 @@ import { put, svg } from "./svg.js";
 /** Unicode's small letters lack most of the alphabet, so they are only read, never written. */
 const SUBSCRIPT_SIGNS = "₀₁₂ᵢₚₛₜ";
 const SUBSCRIPT_LETTERS = "012ipst";
-const SYMBOL = /(\p{L})_(?:\{([^}]*)\}|([\p{L}\p{N}]))/gu;
+/** A letter with a subscript, or a Greek letter that stands alone. */
+const SYMBOL = /(\p{L})_(?:\{([^}]*)\}|([\p{L}\p{N}]))|(?<!\p{L})(\p{Script=Greek})(?!\p{L})/gu;
 
 /** How large a subscript is beside its symbol. */
 export const SUBSCRIPT_SCALE = 0.72;
@@ -33,8 +34,8 @@ export function runs(label) {
   for (const match of plain.matchAll(SYMBOL)) {
     const before = plain.slice(end, match.index);
     if (before) out.push({ text: before, italic: false, sub: false });
-    out.push({ text: match[1] ?? "", italic: true, sub: false });
-    out.push({ text: match[2] ?? match[3] ?? "", italic: true, sub: true });
+    out.push({ text: match[1] ?? match[4] ?? "", italic: true, sub: false });
+    if (!match[4]) out.push({ text: match[2] ?? match[3] ?? "", italic: true, sub: true });
     end = match.index + match[0].length;
   }
   const rest = plain.slice(end);
@@ -88,7 +89,7 @@ export function setLabel(node, label) {
   parts.forEach((run, index) => {
     const span = /** @type {SVGTSpanElement} */ (node.children[index]);
     if (span.textContent !== run.text) span.textContent = run.text;
-    put(span, "class", run.sub ? "symbol sub" : run.italic ? "symbol" : "");
+    put(span, "class", run.sub ? "symbol-run symbol-sub" : run.italic ? "symbol-run" : "");
     // `dy` moves all that follows, so the run after a subscript climbs back.
     put(span, "dy", run.sub && !lowered ? "0.22em" : !run.sub && lowered ? "-0.16em" : null);
     lowered = run.sub;

@@ -154,13 +154,13 @@ export function plotlyLayout(axes, arrangement, theme) {
     hoverlabel: {
       bgcolor: theme.panel,
       bordercolor: theme.rule,
-      font: { family: theme.family, size: 12, color: theme.ink },
+      font: { family: theme.family, size: 12 * arrangement.unit, color: theme.ink },
     },
     xaxis: {
       ...x,
       title: {
         text: plotlyText(axes.x.title),
-        standoff: 6,
+        standoff: 10 * arrangement.unit,
         font: { size: fontSize, color: theme.muted },
       },
       // The overlay draws the hovered abscissa itself: Plotly's spike is three lines thick.

@@ -17,6 +17,7 @@ import { axisTicks, roundRange } from "./ticks.js";
  * @property {{x: Range, y: Range, y2: Range | null}} ranges of the axes as drawn
  * @property {{x: Tick[], y: Tick[], y2: Tick[]}} ticks
  * @property {number} fontSize
+ * @property {number} unit how much larger than at a desk everything is written
  * @property {boolean} marksRow whether room is kept above the frame for the names of marks
  * @property {(value: number) => number} xPixel
  * @property {(value: number, axis?: "y" | "y2") => number} yPixel
@@ -55,15 +56,16 @@ function padded([low, high], length) {
  * @param {readonly Trace[]} task.traces
  * @param {(label: string) => number} task.measure width of a tick's label
  * @param {boolean} task.marksRow
+ * @param {number} [task.unit]
  * @param {number} [task.header] room for a title above all
  * @returns {Arrangement}
  */
-export function arrange({ size, axes, traces, measure, marksRow, header = 0 }) {
-  const narrow = size.width < 420;
-  const fontSize = narrow ? 11 : 12;
+export function arrange({ size, axes, traces, measure, marksRow, unit = 1, header = 0 }) {
+  const narrow = size.width < 420 * unit;
+  const fontSize = (narrow ? 11 : 12) * unit;
   const second = traces.some((trace) => trace.axis === "y2") ? axes.y2 : null;
-  const top = header + (marksRow ? 44 : 28);
-  const bottom = axes.x.title ? 46 : 26;
+  const top = header + (marksRow ? 42 : 26) * unit;
+  const bottom = (axes.x.title ? 50 : 28) * unit;
   const height = Math.max(size.height - top - bottom, 20);
 
   const yRange = axisRange(
@@ -76,15 +78,20 @@ export function arrange({ size, axes, traces, measure, marksRow, header = 0 }) {
       second,
       traces.filter((trace) => trace.axis === "y2"),
     );
-  const yTicks = axisTicks(axes.y, yRange, height, Math.min(Y_SPACING, Math.max(26, height / 6)));
-  const y2Ticks = second && y2Range ? axisTicks(second, y2Range, height, Y_SPACING) : [];
+  const yTicks = axisTicks(
+    axes.y,
+    yRange,
+    height,
+    Math.min(Y_SPACING * unit, Math.max(26 * unit, height / 6)),
+  );
+  const y2Ticks = second && y2Range ? axisTicks(second, y2Range, height, Y_SPACING * unit) : [];
   /** @param {Tick[]} ticks */
   const widest = (ticks) => Math.max(0, ...ticks.map((tick) => measure(tick.label)));
-  const left = Math.ceil(widest(yTicks)) + 12;
-  const right = second ? Math.ceil(widest(y2Ticks)) + 14 : 18;
+  const left = Math.ceil(Math.max(widest(yTicks), (axes.y.labels ?? 0) * unit)) + 10 * unit;
+  const right = second ? Math.ceil(widest(y2Ticks)) + 14 * unit : 18 * unit;
   const width = Math.max(size.width - left - right, 20);
   const xRange = axisRange(axes.x, []);
-  const xTicks = axisTicks(axes.x, xRange, width, narrow ? X_SPACING - 6 : X_SPACING);
+  const xTicks = axisTicks(axes.x, xRange, width, (narrow ? X_SPACING - 6 : X_SPACING) * unit);
 
   const frame = { x: left, y: top, width, height };
   const ranges = {
@@ -99,6 +106,7 @@ export function arrange({ size, axes, traces, measure, marksRow, header = 0 }) {
     ranges,
     ticks: { x: xTicks, y: yTicks, y2: y2Ticks },
     fontSize,
+    unit,
     marksRow,
     xPixel: (value) =>
       frame.x + ((value - ranges.x[0]) / (ranges.x[1] - ranges.x[0])) * frame.width,

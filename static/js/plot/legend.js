@@ -13,7 +13,7 @@ function labelNode(label) {
   const node = document.createElement("span");
   for (const run of runs(label)) {
     const part = document.createElement(run.sub ? "sub" : "span");
-    if (run.italic) part.className = "symbol";
+    if (run.italic) part.className = "symbol-run";
     part.textContent = run.text;
     node.append(part);
   }

@@ -9,27 +9,29 @@ const APART = 8;
  * @param {object} task
  * @param {readonly {x: number, width: number}[]} task.marks `x` in px
  * @param {import("../draw/boxes.js").Box} task.frame
+ * @param {number} [task.unit]
  * @param {number} task.reserved px at the left of the lower row that the axis title takes
  * @returns {({x: number, y: number} | null)[]} centre of each name, null where there is no room
  */
-export function placeMarkNames({ marks, frame, reserved }) {
+export function placeMarkNames({ marks, frame, reserved, unit = 1 }) {
+  const height = ROW * unit;
   const left = frame.x - 8;
   const right = frame.x + frame.width + 14;
   /** @type {import("../draw/boxes.js").Box[]} */
-  const taken = [{ x: 0, y: frame.y - ROW - 4, width: reserved + APART, height: ROW }];
+  const taken = [{ x: 0, y: frame.y - height - 4, width: reserved + APART, height }];
   return marks.map(({ x, width }) => {
     const most = right - width;
     for (const row of [0, 1]) {
-      const y = frame.y - ROW * (row + 1) - 2;
+      const y = frame.y - height * (row + 1) - 2;
       // centred, then to the left of the line, then to its right
       for (const start of [x - width / 2, x - width + 4, x - 4]) {
-        const box = { x: Math.min(Math.max(start, left), most), y, width, height: ROW };
+        const box = { x: Math.min(Math.max(start, left), most), y, width, height };
         const free = taken.every(
           (other) => !overlap({ ...box, x: box.x - APART, width: width + 2 * APART }, other),
         );
         if (free && box.x >= left) {
           taken.push(box);
-          return { x: box.x + width / 2, y: y + ROW / 2 };
+          return { x: box.x + width / 2, y: y + height / 2 };
         }
       }
     }

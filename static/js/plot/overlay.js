@@ -18,7 +18,6 @@ import { placeMarkNames } from "./marks.js";
 /** Above this many curves a legend names them, not labels at the curves. */
 export const MOST_LABELS = 4;
 const LABEL_SIZE = 17;
-const MARK_SIZE = 12;
 
 /**
  * @template {SVGElement} T
@@ -96,7 +95,7 @@ export function createOverlay(area) {
   const hoverLine = svg("line", { class: "plot-hover-line", visibility: "hidden" }, behind);
   const rings = pool(() => svg("circle", { class: "plot-ring", r: 3.5 }, front));
 
-  /** @type {{label: import("../draw/measure.js").Measure, text: import("../draw/measure.js").Measure, mark: import("../draw/measure.js").Measure} | null} */
+  /** @type {{label: import("../draw/measure.js").Measure, text: import("../draw/measure.js").Measure} | null} */
   let measures = null;
   /** @type {Map<string, import("./labels.js").Centre>} */
   let standing = new Map();
@@ -104,11 +103,20 @@ export function createOverlay(area) {
   const widths = new Map();
 
   /** @param {import("./theme.js").Theme} theme */
-  const useFaces = ({ family, symbolFamily }) => {
+  const useFaces = ({ family, symbolFamily, unit }) => {
+    /** @param {number} size @param {number} symbolSize @param {number} [weight] */
+    const face = (size, symbolSize, weight = 400) =>
+      createMeasure({
+        family,
+        symbolFamily,
+        size: size * unit,
+        symbolSize: symbolSize * unit,
+        weight,
+      });
     measures = {
-      label: createMeasure({ family, symbolFamily, size: 13, weight: 500, symbolSize: LABEL_SIZE }),
-      text: createMeasure({ family, symbolFamily, size: 12 }),
-      mark: createMeasure({ family, symbolFamily, size: MARK_SIZE }),
+      // the sizes of plot.css
+      label: face(13, LABEL_SIZE, 500),
+      text: face(12, 12),
     };
   };
 
@@ -142,7 +150,7 @@ export function createOverlay(area) {
         return {
           id: trace.id,
           width,
-          height: LABEL_SIZE + 2,
+          height: (LABEL_SIZE + 2) * arrangement.unit,
           x: xPixels,
           y: trace.y.map((value) =>
             value === null ? null : arrangement.yPixel(value, trace.axis),
@@ -175,10 +183,11 @@ export function createOverlay(area) {
     const places = measures
       ? placeMarkNames({
           frame,
+          unit: arrangement.unit,
           reserved: measures.text(yTitle),
           marks: inside.map((mark) => ({
             x: xPixel(mark.x),
-            width: measures?.mark(mark.label) ?? 0,
+            width: measures?.text(mark.label) ?? 0,
           })),
         })
       : [];

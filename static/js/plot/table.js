@@ -34,7 +34,7 @@ export function dataTable(name, axis, traces) {
   const { x, columns } = joined(traces);
   const rows = pickedRows(x.length);
   const table = document.createElement("table");
-  table.className = "plot-table";
+  table.className = "curve-table";
   table.createCaption().textContent =
     rows.length < x.length
       ? `${name}: ${rows.length} of ${x.length} samples; the CSV file has all`

@@ -10,10 +10,12 @@
  * @property {string} panel
  * @property {string} family
  * @property {string} symbolFamily
+ * @property {number} unit how much larger than 14 px the page writes
  * @property {(property: string) => string} color a custom property's value
  */
 
-const SYMBOL_FAMILY = '"STIX Two Text", "Cambria Math", Cambria, Georgia, "Times New Roman", serif';
+/** The page's text at a desk, px; every size below is given for it. */
+const BASE = 14;
 
 /**
  * @param {HTMLElement} element
@@ -21,6 +23,7 @@ const SYMBOL_FAMILY = '"STIX Two Text", "Cambria Math", Cambria, Georgia, "Times
  */
 export function readTheme(element) {
   const style = getComputedStyle(element);
+  const root = Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
   /** @param {string} property @param {string} otherwise */
   const read = (property, otherwise) => style.getPropertyValue(property).trim() || otherwise;
   const ink = read("--ink", "#14181f");
@@ -31,8 +34,9 @@ export function readTheme(element) {
     muted: read("--muted", "#5a6472"),
     rule: read("--rule", "#e3e5e8"),
     accent: read("--accent", "#2456c8"),
+    unit: root > 0 ? root / BASE : 1,
     family: style.fontFamily || "sans-serif",
-    symbolFamily: read("--font-symbol", SYMBOL_FAMILY),
+    symbolFamily: read("--serif", "serif"),
     color: (property) => read(property, ink),
   };
 }
