@@ -126,6 +126,7 @@ export function createShell({ views, onView, onTheme }) {
         const line = calls.children[index] ?? calls.appendChild(callLine());
         const code = /** @type {HTMLElement} */ (line.querySelector("code"));
         setText(code, `GET /api/v1${path}`);
+        code.title = path;
       });
     },
 

@@ -34,7 +34,7 @@ function groupOf({ id, category }) {
 function createPicker(label, materials, refusal, onPick) {
   const select = h(
     "select",
-    { class: "medium", "aria-label": label },
+    { class: "preset", "aria-label": label },
     h("option", { value: "", hidden: true }, "own value"),
   );
   for (const group of new Set(materials.map(groupOf))) {

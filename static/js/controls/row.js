@@ -12,6 +12,7 @@ const SNAP = 0.015; // of the slider's span
 /**
  * @typedef {object} RowOptions
  * @property {{name: string, symbol: string, minimum: number, maximum: number}} parameter
+ * @property {string} [prefix] of the ids, where another view has a row of the same name
  * @property {number | null} preset the value that a double click goes back to; null leaves it to the server
  * @property {string} label
  * @property {[number, number]} range of the slider
@@ -19,13 +20,15 @@ const SNAP = 0.015; // of the slider's span
  * @property {{step: number, fine: number, page: number}} steps
  * @property {(value: number | null, moving: boolean) => void} onChange
  * @property {() => void} onSettle
- * @property {{print: (value: number) => string, parse: (text: string) => number, allowed: () => string}} [writing]
+ * @property {{print: (value: number) => string, end: (value: number) => string,
+ *   parse: (text: string) => number, allowed: () => string}} [writing]
  *   how the value is written where it differs from the plain number (angles)
  */
 
 /** @param {RowOptions} options */
 export function createRow({
   parameter,
+  prefix = "",
   preset,
   label,
   range,
@@ -35,9 +38,10 @@ export function createRow({
   onSettle,
   writing,
 }) {
-  const id = parameter.name.replace(/\W/g, "-");
+  const id = prefix + parameter.name.replace(/\W/g, "-");
   const write = writing ?? {
     print: (/** @type {number} */ v) => plain(v),
+    end: (/** @type {number} */ v) => plain(v),
     parse: evaluate,
     allowed: () => `${plain(parameter.minimum)} to ${plain(parameter.maximum)}`,
   };
@@ -265,8 +269,8 @@ export function createRow({
       const text = left ? "" : write.print(value);
       if (box.value !== text) box.value = text;
     }
-    setText(low, write.print(a));
-    setText(high, write.print(b));
+    setText(low, write.end(a));
+    setText(high, write.end(b));
     const open = wide !== undefined && (a !== range[0] || b !== range[1]);
     widen.setAttribute("aria-pressed", String(open));
     setText(widen, open ? "less" : "more");

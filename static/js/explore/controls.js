@@ -5,7 +5,7 @@ import { createMedia } from "../controls/media.js";
 import { createRow } from "../controls/row.js";
 import { h, setText, symbol } from "../dom.js";
 import { evaluateAngle } from "../expression.js";
-import { angle, inDegrees, plain } from "../format.js";
+import { angle, inDegrees, inUnit, plain } from "../format.js";
 import { modelStyle } from "../palette.js";
 import { sample } from "./sample.js";
 
@@ -88,6 +88,8 @@ export function createControls({ catalog, presets, state, actions }) {
         writing: {
           print: (/** @type {number} */ v) =>
             unit() === "rad" ? angle(v, "rad") : `${plain(v, 6)}°`,
+          end: (/** @type {number} */ v) =>
+            unit() === "rad" ? `${plain(inUnit(v, "rad"), 4)}\u00a0rad` : `${plain(v)}°`,
           parse(/** @type {string} */ text) {
             const typed = evaluateAngle(text, unit());
             return inDegrees(typed.value, typed.unit);

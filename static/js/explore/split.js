@@ -4,7 +4,7 @@ import { h, setText } from "../dom.js";
 import { percent } from "../format.js";
 
 export function createSplit() {
-  const reflected = h("div", { class: "reflected" });
+  const reflected = h("div");
   const bar = h("div", { class: "split-bar", "aria-hidden": "true" }, reflected);
   const left = h("b", {});
   const right = h("b", {});

@@ -48,7 +48,7 @@ export function tracesOf(curves, shown, models) {
       ["phase_s_deg", "phase s", "--phase-s", "dot"],
       ["phase_p_deg", "phase p", "--phase-p", "dashdot"],
     ])) {
-      const y = values(curves, id).map((d) => (d === null ? null : inUnit(d, shown.angle)));
+      const y = branch(values(curves, id)).map((d) => (d === null ? null : inUnit(d, shown.angle)));
       if (y.length)
         traces.push({
           id,
@@ -64,6 +64,19 @@ export function tracesOf(curves, shown, models) {
     }
   }
   return traces;
+}
+
+/**
+ * 180 and -180 degrees are one phase: where a curve ends on the other side, its end is drawn where
+ * the curve arrives.
+ * @param {(number | null)[]} degrees
+ */
+function branch(degrees) {
+  const last = degrees.at(-1) ?? null;
+  const before = degrees.at(-2) ?? null;
+  if (last === null || before === null || Math.abs(last) < 180 || last * before >= 0)
+    return degrees;
+  return Math.abs(last - before) > 180 ? [...degrees.slice(0, -1), -last] : degrees;
 }
 
 /** @param {Curves} curves @param {Shown} shown */
@@ -94,6 +107,7 @@ export function axesOf(shown) {
         text: rad ? TWELFTHS : DEGREES.map((d) => `${d}°`),
       },
       unit: rad ? " rad" : "°",
+      column: rad ? "theta_i_rad" : "theta_i_deg",
     },
     y: {
       title: shown.show.includes("T") ? "reflectance, transmittance" : "reflectance",

@@ -1,0 +1,409 @@
+"""The Explore view, used as people use it: pointer, keys, links, and a server that fails."""
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+from urllib.parse import parse_qs, urlsplit
+
+import pytest
+from playwright.sync_api import Page, Route, expect
+
+AXE = Path(__file__).parents[2] / "node_modules" / "axe-core" / "axe.min.js"
+READY_MS = 15_000
+
+
+def opened(page: Page, query: str = "") -> Page:
+    """Open the view and wait for its first curve and its numbers."""
+    page.goto(f"/{query}")
+    page.locator(".plot-host path.js-line").first.wait_for(state="attached", timeout=READY_MS)
+    expect(number(page, "R")).to_be_visible()
+    return page
+
+
+def number(page: Page, name: str) -> Any:
+    """Find the button that shows a number and copies it."""
+    return page.locator(f'.number[aria-label^="{name}:"]')
+
+
+def box(page: Page, parameter: str) -> Any:
+    """Find the number box of a parameter."""
+    return page.locator(f"#{parameter}-box")
+
+
+def link(page: Page) -> dict[str, str]:
+    """Read what the address says."""
+    return {key: values[0] for key, values in parse_qs(urlsplit(page.url).query).items()}
+
+
+def settled_link(page: Page, key: str, pattern: str) -> None:
+    """Wait until the address says something of a key."""
+    expect(page).to_have_url(re.compile(rf"[?&]{re.escape(key)}={pattern}(&|$)"))
+
+
+def type_into(page: Page, parameter: str, text: str) -> None:
+    """Type into a number box and leave it."""
+    field = box(page, parameter)
+    field.fill(text)
+    field.press("Enter")
+
+
+def test_starts_with_the_exact_numbers_of_glass(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    expect(number(page, "R")).to_have_text("0.113001")
+    expect(number(page, "F0")).to_have_text("0.0400000")
+    expect(number(page, "brewster")).to_have_text("56.31°")
+    expect(number(page, "critical")).to_have_text("none")
+    expect(number(page, "r_s.re")).to_have_text("−0.465164")
+    expect(page.locator(".split-text")).to_contain_text("11.3")
+    assert link(page) == {}
+
+
+def test_first_curve_comes_before_katex(page: Page) -> None:
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.url))
+    opened(page)
+    assert not [url for url in asked if "katex" in url]
+    page.locator("summary", has_text="Formulas").click()
+    page.locator(".definitions .katex").first.wait_for(timeout=READY_MS)
+    assert any("katex.min.js" in url for url in asked)
+
+
+def test_dragging_the_ray_moves_everything_and_makes_one_entry(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    entries = page.evaluate("() => history.length")
+    grip = page.locator(".diagram-host [role=slider]")
+    start = grip.bounding_box()
+    assert start is not None
+    x, y = start["x"] + start["width"] / 2, start["y"] + start["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for step in range(1, 9):
+        page.mouse.move(x + 12 * step, y - 5 * step)
+    page.mouse.up()
+    angle = float(link(page)["theta_i_deg"])
+    assert 5 < angle < 55
+    expect(box(page, "theta_i_deg")).to_have_value(f"{angle:.6g}°")
+    expect(page.locator(".plot-handle")).to_have_text(f"{angle:.2f}°")
+    expect(page.locator("#calls")).to_contain_text(f"theta_i_deg={angle:g}")
+    assert page.evaluate("() => history.length") == entries + 1
+
+
+def test_dragging_the_ray_snaps_to_brewster_and_alt_frees_it(quiet_page: Page) -> None:
+    page = opened(quiet_page, "?theta_i_deg=57.5")
+    grip = page.locator(".diagram-host [role=slider]")
+    for held in (None, "Alt"):
+        start = grip.bounding_box()
+        assert start is not None
+        x, y = start["x"] + start["width"] / 2, start["y"] + start["height"] / 2
+        if held:
+            page.keyboard.down(held)
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.mouse.move(x + 2, y - 2)
+        page.mouse.move(x + 3, y - 3)
+        page.mouse.up()
+        if held:
+            page.keyboard.up(held)
+            assert float(link(page)["theta_i_deg"]) != pytest.approx(56.309932474020215)
+        else:
+            settled_link(page, "theta_i_deg", r"56\.3099\d+")
+            expect(number(page, "Rp")).to_have_text(re.compile(r"^0$|10⁻³.$"))
+
+
+def test_dragging_a_slider_follows_with_fresh_curves(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    before = page.locator(".plot-host path.js-line").first.get_attribute("d")
+    slider = page.locator("#n_t-slider")
+    area = slider.bounding_box()
+    assert area is not None
+    y = area["y"] + area["height"] / 2
+    page.mouse.move(area["x"] + area["width"] * 0.27, y)
+    page.mouse.down()
+    for step in range(12):
+        page.mouse.move(area["x"] + area["width"] * (0.27 + 0.04 * step), y)
+    page.mouse.up()
+    page.wait_for_function(
+        "() => document.querySelector('#calls').textContent"
+        ".includes(`n_t=${new URLSearchParams(location.search).get('n_t')}&`)"
+    )
+    n_t = link(page)["n_t"]
+    assert 2 < float(n_t) < 3
+    expect(page.locator("#calls")).to_contain_text(f"n_t={n_t}")
+    expect(page.locator(".amplitudes")).not_to_have_attribute("data-stale", "")
+    f0 = ((float(n_t) - 1) / (float(n_t) + 1)) ** 2
+    expect(number(page, "F0")).to_have_text(f"{f0:.6f}")
+    assert page.locator(".plot-host path.js-line").first.get_attribute("d") != before
+
+
+def test_keys_step_and_stop_at_landmarks(quiet_page: Page) -> None:
+    page = opened(quiet_page, "?theta_i_deg=56")
+    slider = page.locator("#theta_i_deg-slider")
+    slider.focus()
+    slider.press("ArrowRight")
+    settled_link(page, "theta_i_deg", r"56\.3099\d+")
+    slider.press("ArrowRight")
+    settled_link(page, "theta_i_deg", r"56\.5")
+    slider.press("Shift+ArrowRight")
+    settled_link(page, "theta_i_deg", r"56\.55")
+    slider.press("PageUp")
+    settled_link(page, "theta_i_deg", r"60")
+    slider.press("End")
+    settled_link(page, "theta_i_deg", r"90")
+    expect(number(page, "R")).to_have_text("1")
+    grip = page.locator(".diagram-host [role=slider]")
+    grip.focus()
+    grip.press("Home")
+    settled_link(page, "theta_i_deg", r"0")
+    grip.press("ArrowUp")
+    settled_link(page, "theta_i_deg", r"0\.5")
+    slider.dblclick()
+    expect(box(page, "theta_i_deg")).to_have_value("64°")
+
+
+@pytest.mark.parametrize(
+    ("parameter", "text", "value"),
+    [
+        ("n_t", "1/1.5", 1 / 1.5),
+        ("n_t", "sqrt(2)", 2**0.5),
+        ("n_i", "2*1.33", 2.66),
+        ("n_t", "42", 42.0),
+        ("k_t", "3e-2", 0.03),
+        ("theta_i_deg", "0.5 rad", 28.64788975654116),
+    ],
+)
+def test_number_boxes_take_expressions(
+    quiet_page: Page, parameter: str, text: str, value: float
+) -> None:
+    page = opened(quiet_page)
+    type_into(page, parameter, text)
+    page.wait_for_url(f"**{parameter}=*")
+    assert float(link(page)[parameter]) == pytest.approx(value, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("parameter", "text"),
+    [
+        ("n_t", "glass"),
+        ("n_t", "0"),
+        ("n_t", "101"),
+        ("n_t", "1,5"),
+        ("k_t", "-1"),
+        ("n_i", "1/0"),
+        ("n_i", ""),
+        ("theta_i_deg", "91"),
+        ("theta_i_deg", "<img src=x onerror=alert(1)>"),
+    ],
+)
+def test_nonsense_in_a_number_box_is_explained_in_place(
+    quiet_page: Page, parameter: str, text: str
+) -> None:
+    page = opened(quiet_page)
+    type_into(page, parameter, text)
+    message = page.locator(f"#{parameter}-error")
+    expect(message).to_contain_text(parameter)
+    expect(message).to_contain_text(" to ")
+    expect(box(page, parameter)).to_have_attribute("aria-invalid", "")
+    expect(number(page, "R")).to_have_text("0.113001")
+    assert link(page) == {}
+    box(page, parameter).press("Escape")
+    expect(message).to_have_text("")
+
+
+def test_a_link_reproduces_the_view(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    type_into(page, "n_i", "1.5")
+    type_into(page, "n_t", "1.1")
+    type_into(page, "theta_i_deg", "50")
+    page.get_by_role("radio", name="radians").check()
+    page.get_by_role("checkbox", name="phases").check()
+    page.get_by_role("checkbox", name="Schlick", exact=True).check()
+    page.get_by_role("radio", name="p", exact=True).check()
+    expect(page.locator(".plot-legend")).to_contain_text("Schlick")
+    expect(number(page, "theta_t")).to_have_text("none")
+    expect(number(page, "critical")).to_have_text("0.8232 rad")
+    shown = page.locator(".number").all_inner_texts()
+    other = opened(page.context.new_page(), f"?{urlsplit(page.url).query}")
+    expect(other.locator(".plot-legend")).to_contain_text("Schlick")
+    expect(other.locator(".amplitudes")).not_to_have_attribute("data-stale", "")
+    assert other.locator(".number").all_inner_texts() == shown
+    assert link(other) == link(page)
+
+
+def test_back_and_forward(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    type_into(page, "n_t", "2")
+    type_into(page, "theta_i_deg", "10")
+    page.go_back()
+    expect(box(page, "theta_i_deg")).to_have_value("64°")
+    expect(box(page, "n_t")).to_have_value("2")
+    page.go_back()
+    expect(box(page, "n_t")).to_have_value("1.5")
+    expect(number(page, "R")).to_have_text("0.113001")
+    page.go_forward()
+    expect(box(page, "n_t")).to_have_value("2")
+
+
+def test_what_a_link_may_not_say_is_reported(quiet_page: Page) -> None:
+    page = opened(quiet_page, "?n_t=400&colour=red&models=schlick,nonsense&theta_i_deg=30")
+    notice = page.locator(".notice")
+    for words in ("n_t = 400", "0.001 to 100", "colour", "nonsense"):
+        expect(notice).to_contain_text(words)
+    expect(box(page, "theta_i_deg")).to_have_value("30°")
+    notice.get_by_role("button", name="Dismiss").click()
+    expect(notice).to_have_count(0)
+
+
+def test_a_failing_server_is_told_and_the_last_good_picture_stays(page: Page) -> None:
+    opened(page)
+    body = {"title": "Internal Server Error", "status": 500, "detail": "It broke.", "errors": []}
+
+    def fail(route: Route) -> None:
+        route.fulfill(status=500, content_type="application/problem+json", body=json.dumps(body))
+
+    page.route("**/api/v1/curves*", fail)
+    page.route("**/api/v1/snell*", fail)
+    picture = page.locator(".plot-host path.js-line").first.get_attribute("d")
+    type_into(page, "n_t", "2")
+    notice = page.locator(".notice")
+    expect(notice).to_contain_text("Internal Server Error")
+    expect(notice).to_contain_text("last good picture")
+    expect(number(page, "F0")).to_have_text("0.0400000")
+    assert page.locator(".plot-host path.js-line").first.get_attribute("d") == picture
+    page.unroute_all()
+    notice.get_by_role("button", name="Try again").click()
+    expect(notice).to_have_count(0)
+    expect(number(page, "F0")).to_have_text("0.111111")
+
+
+def test_a_server_that_is_gone_at_the_start_is_told(page: Page) -> None:
+    page.route("**/api/v1/parameters", lambda route: route.abort())
+    page.goto("/")
+    expect(page.locator("main")).to_contain_text("does not answer")
+    expect(page.get_by_role("button", name="Try again")).to_be_visible()
+
+
+def test_total_internal_reflection_needs_no_swap(quiet_page: Page) -> None:
+    page = opened(quiet_page, "?n_i=1.5&n_t=1&theta_i_deg=60")
+    expect(number(page, "R")).to_have_text("1")
+    expect(number(page, "theta_t")).to_have_text("none")
+    expect(number(page, "critical")).to_have_text("41.81°")
+    expect(page.locator(".diagram-host")).to_contain_text("total internal reflection")
+
+
+def test_presets_and_swap(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    page.get_by_label("Second medium").select_option("diamond-shirley")
+    settled_link(page, "material", "diamond-shirley")
+    expect(box(page, "n_t")).to_have_value("2.42")
+    page.get_by_role("button", name="Swap the media").click()
+    expect(box(page, "n_i")).to_have_value("2.42")
+    assert link(page) == {"incident": "diamond-shirley", "n_t": "1"}
+    type_into(page, "n_i", "2.4")
+    assert link(page) == {"n_i": "2.4", "n_t": "1"}
+    type_into(page, "k_t", "1")
+    swap = page.get_by_role("button", name="Swap the media")
+    expect(swap).to_have_attribute("aria-disabled", "true")
+    swap.click(force=True)
+    expect(page.locator("#swap-reason")).to_contain_text("n_i is real")
+    expect(box(page, "n_i")).to_have_value("2.4")
+
+
+@pytest.mark.parametrize("kind", ["PNG", "SVG", "CSV"])
+def test_exports(quiet_page: Page, kind: str) -> None:
+    page = opened(quiet_page)
+    with page.expect_download(timeout=READY_MS) as waiting:
+        page.get_by_role("button", name=f"Save the plot as {kind}").click()
+    content = waiting.value.path().read_bytes()
+    assert waiting.value.suggested_filename == f"fresnel-curves.{kind.lower()}"
+    start = {"PNG": b"\x89PNG", "SVG": b"<svg", "CSV": b"theta_i_deg,"}[kind]
+    assert content.lstrip().startswith(start)
+    if kind == "CSV":
+        rows = content.decode().strip().splitlines()
+        assert len(rows) == 183  # heading, 181 samples, Brewster's angle
+        assert len(rows[-1].split(",")) == len(rows[0].split(",")) == 4
+
+
+def test_numbers_are_copied_in_full(quiet_page: Page) -> None:
+    page = quiet_page
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    opened(page)
+    expect(page.locator(".amplitudes")).not_to_have_attribute("data-stale", "")
+    number(page, "R").click()
+    copied = page.evaluate("() => navigator.clipboard.readText()")
+    assert re.fullmatch(r"0\.11300\d{10,}", copied)
+    page.get_by_role("button", name="copy all").click()
+    expect(page.locator("#said")).to_contain_text("numbers copied")
+    table = page.evaluate("() => navigator.clipboard.readText()")
+    rows = dict(line.split("\t") for line in table.strip().splitlines())
+    assert rows["critical_deg"] == "none"
+    assert rows["R"] == copied
+    assert float(rows["r_s.phase_deg"]) == 180.0
+
+
+def test_play_sweeps_and_stops(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    play = page.get_by_role("button", name="Play extinction")
+    play.click()
+    expect(page.locator("#calls")).to_contain_text("k_t=")
+    play.click()
+    expect(play).to_have_attribute("aria-pressed", "false")
+    at_rest = float(link(page)["k_t"])
+    assert 0 < at_rest < 5
+    expect(box(page, "k_t")).to_have_value(f"{at_rest:.6g}")
+
+
+def test_more_widens_the_slider(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    row = page.locator('[data-parameter="n_t"]')
+    assert page.locator("#n_t-slider").get_attribute("max") == "3"
+    row.get_by_role("button", name="more").click()
+    assert float(page.locator("#n_t-slider").get_attribute("max") or 0) == 10
+
+
+@pytest.mark.parametrize("width", [320, 390, 768, 1440])
+def test_no_horizontal_scroll(quiet_page: Page, width: int) -> None:
+    quiet_page.set_viewport_size({"width": width, "height": 844})
+    page = opened(quiet_page, "?models=schlick&show=T,phase")
+    assert page.evaluate("() => document.documentElement.scrollWidth") == width
+
+
+def test_on_a_phone_the_controls_stay_in_reach(quiet_page: Page) -> None:
+    quiet_page.set_viewport_size({"width": 390, "height": 844})
+    page = opened(quiet_page)
+    page.evaluate("() => scrollTo(0, document.body.scrollHeight)")
+    slider = page.locator("#theta_i_deg-slider")
+    area = slider.bounding_box()
+    assert area is not None
+    assert 600 < area["y"] < 844
+    assert area["height"] >= 24
+    expect(page.locator("#n_t-slider")).to_be_hidden()
+    page.locator(".opener").click()
+    expect(page.locator("#n_t-slider")).to_be_visible()
+    expect(page.get_by_label("Second medium")).to_be_visible()
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1440])
+def test_axe_finds_nothing(quiet_page: Page, theme: str, width: int) -> None:
+    quiet_page.emulate_media(color_scheme="dark" if theme == "dark" else "light")
+    quiet_page.set_viewport_size({"width": width, "height": 900})
+    page = opened(quiet_page, "?models=schlick,cos_form&show=T,phase&n_t=2&k_t=1")
+    assert page.evaluate("() => document.documentElement.dataset.theme") == theme
+    page.locator("summary", has_text="Formulas").click()
+    page.locator(".definitions .katex").first.wait_for(timeout=READY_MS)
+    page.evaluate(AXE.read_text(encoding="utf-8"))
+    result = page.evaluate("() => axe.run(document)")
+    found = [(v["id"], [node["target"] for node in v["nodes"]][:5]) for v in result["violations"]]
+    assert found == []
+
+
+def test_theme_is_chosen_and_kept(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    toggle = page.locator("#theme")
+    expect(toggle).to_have_text("Auto")
+    toggle.click()
+    toggle.click()
+    expect(toggle).to_have_text("Dark")
+    page.reload()
+    assert page.evaluate("() => document.documentElement.dataset.theme") == "dark"
