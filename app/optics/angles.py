@@ -7,6 +7,8 @@ import cmath
 import numpy as np
 from scipy.optimize import brentq
 
+from app.optics.brewster import brewster_angle_deg
+from app.optics.critical import critical_angle_deg
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 
@@ -19,7 +21,7 @@ def brewster_deg(interface: Interface) -> Array:
     Array
         Degrees, of the interface's shape; NaN where the second medium absorbs.
     """
-    angle = np.degrees(np.arctan2(interface.n_t, interface.n_i))
+    angle = brewster_angle_deg(interface.n_i, interface.n_t).high
     return np.where(interface.k_t > 0.0, np.nan, angle)
 
 
@@ -33,9 +35,11 @@ def critical_deg(interface: Interface) -> Array:
     """
     n_i, n_t = interface.n_i, interface.n_t
     exists = (n_t < n_i) & (interface.k_t == 0.0)
-    # The arctangent keeps its digits near 90 degrees, where the arcsine loses half of them.
-    adjacent = np.sqrt(np.where(exists, (n_i - n_t) * (n_i + n_t), np.nan))
-    return np.asarray(np.degrees(np.arctan2(n_t, adjacent)))
+    if not exists.any():
+        return np.full(exists.shape, np.nan)
+    # Where there is none, a stand-in keeps the root real.
+    angle = critical_angle_deg(n_i, np.where(exists, n_t, 0.5 * n_i)).high
+    return np.where(exists, angle, np.nan)
 
 
 def pseudo_brewster_deg(interface: Interface) -> Array:

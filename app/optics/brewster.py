@@ -45,21 +45,23 @@ def brewster_factor(interface: Interface, incidence: Incidence) -> Array:
     if not near.any():
         return plain
     theta = np.broadcast_to(degrees, plain.shape)[near]
-    if interface.n_i.ndim == interface.n_t.ndim == 0:
-        brewster = _one_brewster_deg(float(interface.n_i), float(interface.n_t))
-        slope = np.asarray(np.hypot(1.0, eta))
-    else:
-        n_i, n_t = (
-            np.broadcast_to(array, plain.shape)[near] for array in (interface.n_i, interface.n_t)
-        )
-        brewster = arctan_deg(Double2(n_t), Double2(n_i))
-        slope = np.hypot(n_i, n_t) / n_i
+    n_i, n_t = interface.n_i, interface.n_t
+    if n_i.ndim or n_t.ndim:
+        n_i, n_t = (np.broadcast_to(array, plain.shape)[near] for array in (n_i, n_t))
+    brewster = brewster_angle_deg(n_i, n_t)
     distance = (brewster.high - theta) + brewster.low
     result = plain.copy()
-    result[near] = slope * np.sin(np.radians(distance))
+    result[near] = np.hypot(n_i, n_t) / n_i * np.sin(np.radians(distance))
     return result
 
 
+def brewster_angle_deg(n_i: Array, n_t: Array) -> Double2:
+    """arctan(n_t / n_i) in degrees, to about 30 digits; of two arrays or of two single numbers."""
+    if n_i.ndim == n_t.ndim == 0:
+        return _one_angle_deg(float(n_i), float(n_t))
+    return arctan_deg(Double2(n_t), Double2(n_i))
+
+
 @lru_cache(maxsize=1024)
-def _one_brewster_deg(n_i: float, n_t: float) -> Double2:
+def _one_angle_deg(n_i: float, n_t: float) -> Double2:
     return arctan_deg(Double2(n_t), Double2(n_i))

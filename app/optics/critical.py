@@ -57,14 +57,10 @@ def normal_square(interface: Interface, incidence: Incidence) -> Array:
     if not near.any():
         return plain
     theta = np.broadcast_to(degrees, plain.shape)[near]
-    critical: Double2
-    if interface.n_i.ndim == interface.n_t.ndim == 0:
-        critical = _one_critical_deg(float(interface.n_i), float(interface.n_t))
-    else:
-        n_i, n_t = (
-            np.broadcast_to(array, plain.shape)[near] for array in (interface.n_i, interface.n_t)
-        )
-        critical = _critical_deg(n_i, n_t)
+    n_i, n_t = interface.n_i, interface.n_t
+    if n_i.ndim or n_t.ndim:
+        n_i, n_t = (np.broadcast_to(array, plain.shape)[near] for array in (n_i, n_t))
+    critical = critical_angle_deg(n_i, n_t)
     distance = (critical.high - theta) + critical.low
     # The cosine of the mean is the sine of its complement, which keeps its digits near 90 degrees.
     complement = 0.5 * (((90.0 - critical.high) - critical.low) + (90.0 - theta))
@@ -74,12 +70,22 @@ def normal_square(interface: Interface, incidence: Incidence) -> Array:
     return result
 
 
-def _critical_deg(n_i: Number, n_t: Number) -> Double2:
-    """arcsin(n_t / n_i) in degrees, by way of the arctangent of n_t / sqrt(n_i^2 - n_t^2)."""
-    adjacent = square_root(multiply(two_sum(n_i, -n_t), two_sum(n_i, n_t)))
-    return arctan_deg(Double2(n_t), adjacent)
+def critical_angle_deg(n_i: Array, n_t: Array) -> Double2:
+    """arcsin(n_t / n_i) in degrees, to about 30 digits; of two arrays or of two single numbers.
+
+    All n_t must be less than n_i.
+    """
+    if n_i.ndim == n_t.ndim == 0:
+        return _one_angle_deg(float(n_i), float(n_t))
+    return _angle_deg(n_i, n_t)
 
 
 @lru_cache(maxsize=1024)
-def _one_critical_deg(n_i: float, n_t: float) -> Double2:
-    return _critical_deg(n_i, n_t)
+def _one_angle_deg(n_i: float, n_t: float) -> Double2:
+    return _angle_deg(n_i, n_t)
+
+
+def _angle_deg(n_i: Number, n_t: Number) -> Double2:
+    # By way of the arctangent of n_t / sqrt(n_i^2 - n_t^2).
+    adjacent = square_root(multiply(two_sum(n_i, -n_t), two_sum(n_i, n_t)))
+    return arctan_deg(Double2(n_t), adjacent)
