@@ -2,14 +2,30 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    PrivateAttr,
+    model_validator,
+)
 
+from app.api.presets import (
+    PresetInterface,
+    Resolved,
+    reported_as,
+    resolve_incident,
+    resolve_material,
+)
+from app.api.problems import BadParameters, ParameterError
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, Parameter
 
 MAX_SAMPLES = 20001
+MAX_WAVELENGTH_NM = 1e7
 
 
 def _plain(text: object) -> object:
@@ -42,16 +58,103 @@ class QueryModel(BaseModel):
     model_config = ConfigDict(frozen=True, validate_default=False)
 
 
+def preset_name(description: str, *examples: str) -> Any:
+    """Pydantic field of a preset's id."""
+    return Field(
+        None, min_length=1, max_length=100, description=description, examples=list(examples)
+    )
+
+
+def wavelength(default: float | None, description: str, **options: Any) -> Any:
+    """Pydantic field of a wavelength."""
+    return Field(
+        default,
+        gt=0.0,
+        le=MAX_WAVELENGTH_NM,
+        allow_inf_nan=False,
+        description=description,
+        json_schema_extra={"unit": "nm", "symbol": r"\lambda"},
+        **options,
+    )
+
+
 class InterfaceQuery(QueryModel):
-    """The two media."""
+    """The two media, each by its numbers or by a preset.
+
+    Once validated, `n_i`, `n_t` and `k_t` hold what the presets resolve to.
+    """
 
     n_i: Number = number(N_I, examples=[1.0])
     n_t: Number = number(N_T, examples=[1.5])
     k_t: Number = number(K_T, examples=[0.0])
+    material: str | None = preset_name(
+        "Id or alias of a preset in place of n_t and k_t, as listed at /materials; a k that its "
+        "source does not give counts as 0, which the answer says.",
+    )
+    incident: str | None = preset_name(
+        "Id or alias of a preset in place of n_i. It must not absorb.",
+    )
+    wavelength_nm: Number | None = wavelength(
+        None,
+        "Wavelength in vacuum, in nm, at which the presets are evaluated, within the range of "
+        "each; by default their own, 587.6 nm for measured spectra.",
+    )
+    _incident: Resolved | None = PrivateAttr(None)
+    _material: Resolved | None = PrivateAttr(None)
+
+    @model_validator(mode="after")
+    def _resolve(self) -> Self:
+        if self.material is None and self.incident is None and self.wavelength_nm is None:
+            return self
+        refuse_beside(self, "material", "n_t", "k_t")
+        refuse_beside(self, "incident", "n_i")
+        if self.material is None and self.incident is None:
+            raise BadParameters(
+                {
+                    "parameter": "wavelength_nm",
+                    "value": self.wavelength_nm,
+                    "message": "given although no material or incident depends on it",
+                }
+            )
+        # The model is frozen to everybody but its own validation.
+        if self.material is not None:
+            with reported_as():
+                self._material = resolve_material(self.material, self.wavelength_nm)
+            object.__setattr__(self, "n_t", self._material.constants.n)
+            object.__setattr__(self, "k_t", self._material.constants.k or 0.0)
+        if self.incident is not None:
+            with reported_as(material="incident"):
+                self._incident = resolve_incident(self.incident, self.wavelength_nm)
+            object.__setattr__(self, "n_i", self._incident.constants.n)
+        return self
 
     def interface(self) -> Interface:
-        """Build the interface the query describes."""
-        return Interface(self.n_i, self.n_t, self.k_t)
+        """Build the interface the query describes; it knows its presets, see `interface_json`."""
+        if self._material is None and self._incident is None:
+            return Interface(self.n_i, self.n_t, self.k_t)
+        return PresetInterface(self.n_i, self.n_t, self.k_t, self._incident, self._material)
+
+
+def refuse_beside(query: QueryModel, preset: str, *numbers: str) -> None:
+    """Refuse numbers that are given beside the preset that takes their place.
+
+    Raises
+    ------
+    BadParameters
+        Naming each of them.
+    """
+    name = getattr(query, preset)
+    errors: list[ParameterError] = [
+        {
+            "parameter": number,
+            "value": getattr(query, number),
+            "message": f"given beside {preset} = {name}, which takes its place; leave one out",
+        }
+        for number in numbers
+        if name is not None and number in query.model_fields_set
+    ]
+    if errors:
+        raise BadParameters(*errors)
 
 
 class DigitsQuery(QueryModel):

@@ -13,6 +13,7 @@ import zstandard
 from fastapi import Request
 from starlette.responses import Response
 
+from app.api.presets import PresetInterface
 from app.optics.angles import brewster_deg, critical_deg, pseudo_brewster_deg
 from app.optics.interface import Interface
 from app.optics.parameters import Array
@@ -66,7 +67,8 @@ def number_or_null(value: Array) -> float | None:
 
 
 def interface_json(interface: Interface) -> dict[str, Any]:
-    """Describe an interface as every answer does."""
+    """Describe an interface as every answer does, with the presets its numbers come from."""
+    named = interface if isinstance(interface, PresetInterface) else None
     return {
         "n_i": float(interface.n_i),
         "n_t": float(interface.n_t),
@@ -79,6 +81,8 @@ def interface_json(interface: Interface) -> dict[str, Any]:
         "brewster_deg": number_or_null(brewster_deg(interface)),
         "critical_deg": number_or_null(critical_deg(interface)),
         "pseudo_brewster_deg": number_or_null(pseudo_brewster_deg(interface)),
+        "incident": named.incident.as_json() if named and named.incident else None,
+        "material": named.material.as_json() if named and named.material else None,
     }
 
 
@@ -111,23 +115,42 @@ def body_response(
     request: Request, body: bytes, media_type: str, headers: Mapping[str, str] | None = None
 ) -> Response:
     """Answer with ready bytes: ETag from the content, 304 where the client has it, compressed."""
-    etag = f'W/"{blake2b(body, digest_size=12).hexdigest()}"'
-    common = {
-        **(headers or {}),
-        "ETag": etag,
-        "Cache-Control": f"public, max-age={request.app.state.settings.max_age_s}",
-        "Vary": "Accept-Encoding",
-    }
-    if _has_copy(request, etag):
-        return Response(status_code=304, headers=common)
-    encoding = _encoding(request) if len(body) >= _SMALLEST_COMPRESSED else None
+    return ReadyBody(body, media_type, headers).response(request)
+
+
+class ReadyBody:
+    """Bytes to be sent any number of times, tagged once and compressed once an encoding."""
+
+    def __init__(
+        self, body: bytes, media_type: str, headers: Mapping[str, str] | None = None
+    ) -> None:
+        self._media_type = media_type
+        self._encoded: dict[str | None, bytes] = {None: body}
+        etag = f'W/"{blake2b(body, digest_size=12).hexdigest()}"'
+        self._headers = {**(headers or {}), "ETag": etag, "Vary": "Accept-Encoding"}
+
+    def response(self, request: Request) -> Response:
+        """Answer a request: 304 where the client has the content, else in the best encoding."""
+        max_age_s = request.app.state.settings.max_age_s
+        headers = {**self._headers, "Cache-Control": f"public, max-age={max_age_s}"}
+        if _has_copy(request, self._headers["ETag"]):
+            return Response(status_code=304, headers=headers)
+        long = len(self._encoded[None]) >= _SMALLEST_COMPRESSED
+        encoding = _encoding(request) if long else None
+        if encoding is not None:
+            headers["Content-Encoding"] = encoding
+        return Response(self._in(encoding), headers=headers, media_type=self._media_type)
+
+    def _in(self, encoding: str | None) -> bytes:
+        if encoding not in self._encoded:
+            self._encoded[encoding] = _compress(self._encoded[None], encoding)
+        return self._encoded[encoding]
+
+
+def _compress(body: bytes, encoding: str | None) -> bytes:
     if encoding == "zstd":
-        body = zstandard.compress(body, level=1)
-    elif encoding == "gzip":
-        body = gzip.compress(body, compresslevel=1, mtime=0)
-    if encoding:
-        common["Content-Encoding"] = encoding
-    return Response(body, headers=common, media_type=media_type)
+        return zstandard.compress(body, level=1)
+    return gzip.compress(body, compresslevel=1, mtime=0)
 
 
 def _has_copy(request: Request, etag: str) -> bool:

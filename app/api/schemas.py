@@ -7,6 +7,23 @@ from typing import Literal
 from pydantic import BaseModel, Field
 
 
+class ResolvedPresetOut(BaseModel):
+    """A preset that stands in place of numbers, and where those come from."""
+
+    id: str
+    name: str
+    wavelength_nm: float | None = Field(
+        description="Where it was evaluated, in nm; null where the source names no wavelength."
+    )
+    n: float
+    k: float | None = Field(description="Null where the source does not give it.")
+    sample: str = Field(description="bulk, film, model, calculated or unstated")
+    confidence: Literal["high", "medium", "low"]
+    source: str = Field(description="The reference.")
+    doi: list[str]
+    warnings: list[str]
+
+
 class InterfaceOut(BaseModel):
     """The interface an answer was computed for, with everything derived from it."""
 
@@ -21,6 +38,12 @@ class InterfaceOut(BaseModel):
     brewster_deg: float | None = Field(description="Angle where Rp = 0; null in absorbers.")
     critical_deg: float | None = Field(description="Angle of total reflection; null if none.")
     pseudo_brewster_deg: float = Field(description="Angle of least Rp.")
+    incident: ResolvedPresetOut | None = Field(
+        description="The preset that n_i comes from; null if it was given as a number."
+    )
+    material: ResolvedPresetOut | None = Field(
+        description="The preset that n_t and k_t come from; null if they were given as numbers."
+    )
 
 
 class ComplexOut(BaseModel):
