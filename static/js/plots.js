@@ -140,12 +140,17 @@ export function createPlot(element, options) {
   let marksRow = Boolean(options.onPick);
   let destroyed = false;
 
+  const uprights = () => {
+    const landmarks = marks.filter((mark) => mark.kind === "landmark").map((mark) => mark.x);
+    return marker.x === null ? landmarks : [...landmarks, marker.x];
+  };
+
   const placeMarker = () => {
     if (!arrangement) return;
     const { x, points } = marker;
     overlay.placeMarker(x, points, traces, arrangement);
     if (x !== null && overlay.inTheWay(arrangement.xPixel(x))) {
-      overlay.placeNames(traces, arrangement, x);
+      overlay.placeNames(traces, arrangement, uprights());
     }
     const { ranges, frame } = arrangement;
     const visible = x !== null && x >= ranges.x[0] && x <= ranges.x[1];
@@ -168,7 +173,7 @@ export function createPlot(element, options) {
   const decorate = () => {
     if (!arrangement) return;
     overlay.placeMarks(valued(marks, axes.x), arrangement, axes.y.title);
-    overlay.placeNames(traces, arrangement, marker.x);
+    overlay.placeNames(traces, arrangement, uprights());
     overlay.hideHover();
     placeMarker();
   };

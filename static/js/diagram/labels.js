@@ -18,7 +18,10 @@ import { at, direction } from "./geometry.js";
 const GAP = 6;
 const BLOCKED = 1000;
 const LOYALTY = 1.2;
+/** Closer than this to anything is in the way; closer than that is a little worse. */
 const CLEAR = 2.5;
+const AIRY = 6;
+const TIGHT = 0.7;
 
 /**
  * Whether a label lies in the quadrant of what it names.
@@ -157,10 +160,15 @@ function placeOne({ id, size, candidates }, { frame, segments, taken, before }) 
     if (cost >= lowest) continue;
     const box = boxOf(candidate, size);
     if (!within(box, frame)) continue;
-    const wide = grown(box, CLEAR);
-    for (const other of taken) if (overlap(wide, other)) cost += BLOCKED;
+    const near = grown(box, CLEAR);
+    const airy = grown(box, AIRY);
+    for (const other of taken) {
+      if (overlap(airy, other)) cost += overlap(near, other) ? BLOCKED : TIGHT;
+    }
     if (cost >= lowest) continue;
-    for (const segment of segments) if (crosses(segment, wide)) cost += BLOCKED;
+    for (const segment of segments) {
+      if (crosses(segment, airy)) cost += crosses(segment, near) ? BLOCKED : TIGHT;
+    }
     if (cost >= lowest) continue;
     lowest = cost;
     best = candidate;

@@ -3,6 +3,7 @@
 import { createMeasure } from "../draw/measure.js";
 import { plainText, plotlyText } from "../draw/symbols.js";
 import { CONFIG, plotlyLayout, plotlyTraces } from "./figure.js";
+import { fontFaces, rasterized, withStyle } from "./image.js";
 import { placeLabels } from "./labels.js";
 import { arrange } from "./layout.js";
 import { placeMarkNames } from "./marks.js";
@@ -11,10 +12,11 @@ import { MOST_LABELS } from "./overlay.js";
 /** @typedef {import("./model.js").Trace} Trace */
 /** @typedef {import("./model.js").Mark} Mark */
 
-const HEADER = 40;
+const HEADER = 32;
 const LEGEND_ROW = 22;
 const LABEL_SIZE = 17;
 const SCALE = 2;
+const PADDING = 12;
 
 /**
  * @param {object} picture
@@ -40,6 +42,7 @@ export function exportFigure({ title, traces, marks, axes, theme, size }) {
     measure: text,
     marksRow: landmarks.length > 0,
     header: HEADER,
+    padding: PADDING,
   });
   const { frame, xPixel, yPixel, margins } = arrangement;
   const layout = plotlyLayout(axes, arrangement, theme);
@@ -59,20 +62,6 @@ export function exportFigure({ title, traces, marks, axes, theme, size }) {
       font,
     });
   };
-  annotations.push({
-    text: `<b>${plotlyText(title)}</b>`,
-    xref: "paper",
-    yref: "paper",
-    x: 0,
-    y: 1,
-    xanchor: "left",
-    yanchor: "top",
-    xshift: -margins.left + 2,
-    yshift: margins.top - 6,
-    showarrow: false,
-    font: { size: 16, color: theme.ink },
-  });
-
   const shapes = landmarks.map((mark) => ({
     type: "line",
     xref: "x",
@@ -86,7 +75,7 @@ export function exportFigure({ title, traces, marks, axes, theme, size }) {
   }));
   const names = placeMarkNames({
     frame,
-    reserved: text(axes.y.title),
+    reserved: PADDING + text(axes.y.title),
     marks: landmarks.map((mark) => ({ x: xPixel(mark.x), width: text(mark.label) })),
   });
   landmarks.forEach((mark, index) => {
@@ -111,6 +100,7 @@ export function exportFigure({ title, traces, marks, axes, theme, size }) {
   if (!legend) {
     const placed = placeLabels({
       frame,
+      uprights: marks.map((mark) => xPixel(mark.x)),
       curves: traces.map((trace) => ({
         id: trace.id,
         width: label(trace.label) + 4,
@@ -134,6 +124,17 @@ export function exportFigure({ title, traces, marks, axes, theme, size }) {
     data: plotlyTraces(traces, theme),
     layout: {
       ...layout,
+      title: {
+        text: `<b>${plotlyText(title)}</b>`,
+        x: 0,
+        xref: "container",
+        xanchor: "left",
+        y: 1,
+        yref: "container",
+        yanchor: "top",
+        pad: { l: PADDING, t: PADDING + 4 },
+        font: { size: 16, color: theme.ink },
+      },
       height: size.height,
       annotations,
       shapes,
@@ -143,11 +144,13 @@ export function exportFigure({ title, traces, marks, axes, theme, size }) {
       margin: { ...layout.margin, b: margins.bottom + (legend ? LEGEND_ROW : 0) },
       legend: {
         orientation: "h",
-        x: 0,
+        x: PADDING / size.width,
+        xref: "container",
         xanchor: "left",
         y: 0,
         yref: "container",
         yanchor: "bottom",
+        itemwidth: 44,
         font: { size: 12, color: theme.ink },
       },
     },
@@ -161,17 +164,11 @@ export function exportFigure({ title, traces, marks, axes, theme, size }) {
  * @returns {Promise<Blob>}
  */
 export async function imageOf(figure, format) {
-  const { width = 960, height = 600 } = figure.layout;
-  const uri = await Plotly.toImage(figure, {
-    format,
-    width,
-    height,
-    scale: format === "png" ? SCALE : 1,
-  });
-  const data = uri.slice(uri.indexOf(",") + 1);
-  if (format === "svg") {
-    return new Blob([decodeURIComponent(data)], { type: "image/svg+xml;charset=utf-8" });
-  }
-  const bytes = Uint8Array.from(atob(data), (character) => character.charCodeAt(0));
-  return new Blob([bytes], { type: "image/png" });
+  const { width = 960, height = 600, font } = figure.layout;
+  const uri = await Plotly.toImage(figure, { format: "svg", width, height });
+  const family = /** @type {{family: string}} */ (font).family;
+  const drawn = decodeURIComponent(uri.slice(uri.indexOf(",") + 1));
+  const source = withStyle(drawn, await fontFaces(family));
+  const svg = new Blob([source], { type: "image/svg+xml;charset=utf-8" });
+  return format === "svg" ? svg : rasterized(svg, width * SCALE, height * SCALE);
 }

@@ -94,6 +94,7 @@ function plotlyAxis(axis, range, ticks, arrangement, theme) {
     tickangle: 0,
     tickfont: { size: arrangement.fontSize, color: theme.muted },
     ticks: "",
+    ticklabelstandoff: 3,
     gridcolor: theme.rule,
     gridwidth: 1,
     showgrid: true,
@@ -111,7 +112,7 @@ function plotlyAxis(axis, range, ticks, arrangement, theme) {
  * @param {Theme} theme
  */
 function levelTitle(axis, side, arrangement, theme) {
-  const { margins, fontSize } = arrangement;
+  const { margins, fontSize, padding } = arrangement;
   const left = side === "left";
   return {
     text: plotlyText(axis.title),
@@ -121,7 +122,7 @@ function levelTitle(axis, side, arrangement, theme) {
     y: 1,
     xanchor: side,
     yanchor: "bottom",
-    xshift: left ? -margins.left : margins.right,
+    xshift: left ? padding - margins.left : margins.right - padding,
     yshift: 6,
     showarrow: false,
     borderpad: 0,

@@ -18,6 +18,7 @@ import { axisTicks, roundRange } from "./ticks.js";
  * @property {{x: Tick[], y: Tick[], y2: Tick[]}} ticks
  * @property {number} fontSize
  * @property {number} unit how much larger than at a desk everything is written
+ * @property {number} padding
  * @property {boolean} marksRow whether room is kept above the frame for the names of marks
  * @property {(value: number) => number} xPixel
  * @property {(value: number, axis?: "y" | "y2") => number} yPixel
@@ -58,14 +59,24 @@ function padded([low, high], length) {
  * @param {boolean} task.marksRow
  * @param {number} [task.unit]
  * @param {number} [task.header] room for a title above all
+ * @param {number} [task.padding] room on every side
  * @returns {Arrangement}
  */
-export function arrange({ size, axes, traces, measure, marksRow, unit = 1, header = 0 }) {
+export function arrange({
+  size,
+  axes,
+  traces,
+  measure,
+  marksRow,
+  unit = 1,
+  header = 0,
+  padding = 0,
+}) {
   const narrow = size.width < 420 * unit;
   const fontSize = (narrow ? 11 : 12) * unit;
   const second = traces.some((trace) => trace.axis === "y2") ? axes.y2 : null;
-  const top = header + (marksRow ? 42 : 26) * unit;
-  const bottom = (axes.x.title ? 50 : 28) * unit;
+  const top = padding + header + (marksRow ? 42 : 26) * unit;
+  const bottom = padding + (axes.x.title ? 50 : 28) * unit;
   const height = Math.max(size.height - top - bottom, 20);
 
   const yRange = axisRange(
@@ -87,8 +98,9 @@ export function arrange({ size, axes, traces, measure, marksRow, unit = 1, heade
   const y2Ticks = second && y2Range ? axisTicks(second, y2Range, height, Y_SPACING * unit) : [];
   /** @param {Tick[]} ticks */
   const widest = (ticks) => Math.max(0, ...ticks.map((tick) => measure(tick.label)));
-  const left = Math.ceil(Math.max(widest(yTicks), (axes.y.labels ?? 0) * unit)) + 10 * unit;
-  const right = second ? Math.ceil(widest(y2Ticks)) + 14 * unit : 18 * unit;
+  const left =
+    padding + Math.ceil(Math.max(widest(yTicks), (axes.y.labels ?? 0) * unit)) + 10 * unit;
+  const right = padding + (second ? Math.ceil(widest(y2Ticks)) + 14 * unit : 18 * unit);
   const width = Math.max(size.width - left - right, 20);
   const xRange = axisRange(axes.x, []);
   const xTicks = axisTicks(axes.x, xRange, width, (narrow ? X_SPACING - 6 : X_SPACING) * unit);
@@ -107,6 +119,7 @@ export function arrange({ size, axes, traces, measure, marksRow, unit = 1, heade
     ticks: { x: xTicks, y: yTicks, y2: y2Ticks },
     fontSize,
     unit,
+    padding,
     marksRow,
     xPixel: (value) =>
       frame.x + ((value - ranges.x[0]) / (ranges.x[1] - ranges.x[0])) * frame.width,

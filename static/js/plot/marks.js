@@ -22,7 +22,7 @@ export function placeMarkNames({ marks, frame, reserved, unit = 1 }) {
   return marks.map(({ x, width }) => {
     const most = right - width;
     for (const row of [0, 1]) {
-      const y = frame.y - height * (row + 1) - 2;
+      const y = frame.y - height * (row + 1) - 3;
       // centred, then to the left of the line, then to its right
       for (const start of [x - width / 2, x - width + 4, x - 4]) {
         const box = { x: Math.min(Math.max(start, left), most), y, width, height };

@@ -21,6 +21,7 @@
  * @property {readonly number[] | {values: readonly number[], text: readonly string[]}} [ticks]
  * @property {string} [unit] `°` is written at each tick, others belong in the title
  * @property {string} [column] heading of x in the CSV file
+ * @property {string} [short] its symbol, where it is named beside a value
  * @property {number} [labels] least room for the labels of its ticks in px, so that frames of several plots align
  * @property {{step: number, fine: number, page: number}} [steps] of the keyboard
  *

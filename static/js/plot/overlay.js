@@ -123,9 +123,9 @@ export function createOverlay(area) {
   /**
    * @param {readonly Trace[]} traces
    * @param {Arrangement} arrangement
-   * @param {number | null} x of the marker, which names keep clear of
+   * @param {readonly number[]} uprights abscissas of lines, which names keep clear of
    */
-  const placeNames = (traces, arrangement, x) => {
+  const placeNames = (traces, arrangement, uprights) => {
     if (!measures || traces.length > MOST_LABELS) {
       standing = new Map();
       labels.rest(0);
@@ -139,7 +139,7 @@ export function createOverlay(area) {
     standing = placeLabels({
       frame: arrangement.frame,
       previous: standing,
-      uprights: x === null ? [] : [arrangement.xPixel(x)],
+      uprights: uprights.map(arrangement.xPixel),
       curves: traces.map((trace) => {
         if (trace.x !== abscissa) {
           abscissa = trace.x;
@@ -198,7 +198,7 @@ export function createOverlay(area) {
       const place = places[index];
       put(line, "x1", at);
       put(line, "x2", at);
-      put(line, "y1", frame.y - 4);
+      put(line, "y1", frame.y - 1);
       put(line, "y2", frame.y + frame.height);
       show(name, Boolean(place));
       if (!place) return;

@@ -1,0 +1,403 @@
+/**
+ * A heat map on the plots' core: the same axes, faces and export, cells in place of curves.
+ *
+ * The element becomes a figure with a name; the crosshair is a slider that arrow keys move from cell
+ * to cell, and Enter, like a click, goes to the place it stands on.
+ */
+
+import { createMeasure } from "../draw/measure.js";
+import { put, px, show, svg } from "../draw/svg.js";
+import { plainText } from "../draw/symbols.js";
+import { plain } from "../format.js";
+import { scaleOf, stops } from "./colors.js";
+import { contour } from "./contour.js";
+import { imageOf } from "./export.js";
+import { CONFIG, plotlyLayout, unitSuffix } from "./figure.js";
+import { gridCsv, gridTable } from "./grid.js";
+import { arrange } from "./layout.js";
+import { library } from "./library.js";
+import { readTheme } from "./theme.js";
+
+/**
+ * @typedef {import("./model.js").Axis} Axis
+ * @typedef {import("./colors.js").ScaleKind} ScaleKind
+ * @typedef {{x: readonly number[], y: readonly number[], z: readonly (readonly (number | null)[])[]}} Grid
+ * @typedef {{title: string, kind: ScaleKind, print: (value: number | null) => string, level?: number | null}} Values
+ *   `level` is the size that a line is drawn at
+ * @typedef {object} MapOptions
+ * @property {string} name
+ * @property {Axis} x
+ * @property {Axis} y
+ * @property {Values} z
+ * @property {(x: number, y: number) => void} onPick
+ */
+
+const SMALLEST = 40;
+
+/** @param {readonly number[]} values ascending, equally spaced @param {number} value */
+export function nearest(values, value) {
+  const [first = 0, last = 1] = [values[0], values.at(-1)];
+  const at = Math.round(((value - first) / (last - first || 1)) * (values.length - 1));
+  return Math.min(Math.max(at, 0), values.length - 1);
+}
+
+/** @param {HTMLElement} element @param {MapOptions} options */
+export function createHeatmap(element, options) {
+  let { name, x: xAxis, y: yAxis, z: values } = options;
+  element.classList.add("plot", "heatmap");
+  element.setAttribute("role", "figure");
+  const area = document.createElement("div");
+  area.className = "plot-area";
+  const canvas = document.createElement("div");
+  canvas.className = "plot-canvas";
+  canvas.setAttribute("aria-hidden", "true");
+  const root = svg("svg", { class: "plot-overlay", "aria-hidden": "true", focusable: "false" });
+  const line = svg("path", { class: "map-level" }, root);
+  const lineCasing = svg("path", { class: "map-level-casing" }, root);
+  root.insertBefore(lineCasing, line);
+  const crossX = svg("line", { class: "plot-marker-line" }, root);
+  const crossY = svg("line", { class: "plot-marker-line" }, root);
+  const handle = document.createElement("div");
+  handle.className = "map-handle";
+  handle.tabIndex = 0;
+  handle.setAttribute("role", "slider");
+  const tip = document.createElement("div");
+  tip.className = "map-tip";
+  tip.hidden = true;
+  tip.setAttribute("aria-hidden", "true");
+  const key = document.createElement("div");
+  key.className = "map-key";
+  area.append(canvas, root, handle, tip);
+  element.append(area, key);
+
+  let theme = readTheme(element);
+  /** @type {Grid | null} */
+  let grid = null;
+  /** @type {import("./layout.js").Arrangement | null} */
+  let arrangement = null;
+  /** @type {import("./colors.js").Scale} */
+  let scale = { kind: "size", low: 0, high: 1, capped: false };
+  let current = { x: Number.NaN, y: Number.NaN };
+  /** @type {{column: number, row: number} | null} the cell that the keyboard stands on, if it has left the current place */
+  let probe = null;
+  let destroyed = false;
+
+  const axes = () => ({ x: xAxis, y: yAxis, y2: null });
+
+  /** @param {number} column @param {number} row */
+  function words(column, row) {
+    const [x = 0, y = 0] = [grid?.x[column], grid?.y[row]];
+    const value = grid?.z[row]?.[column] ?? null;
+    const symbol = (/** @type {Axis} */ axis) => plainText(axis.short ?? axis.title);
+    return `${symbol(xAxis)} ${plain(x, 4)}${unitSuffix(xAxis.unit)}, ${symbol(yAxis)} ${plain(y, 4)}${unitSuffix(yAxis.unit)}: ${values.print(value)}`;
+  }
+
+  function placeCross() {
+    if (!arrangement || !grid) return;
+    const { frame, ranges, xPixel, yPixel } = arrangement;
+    const at = probe ? { x: grid.x[probe.column] ?? 0, y: grid.y[probe.row] ?? 0 } : current;
+    const inX = at.x >= ranges.x[0] && at.x <= ranges.x[1];
+    const inY = at.y >= ranges.y[0] && at.y <= ranges.y[1];
+    const [left, top] = [px(xPixel(at.x)), px(yPixel(at.y))];
+    show(crossX, inX);
+    show(crossY, inY);
+    if (inX) {
+      for (const side of ["x1", "x2"]) put(crossX, side, left);
+      put(crossX, "y1", frame.y);
+      put(crossX, "y2", frame.y + frame.height);
+    }
+    if (inY) {
+      for (const side of ["y1", "y2"]) put(crossY, side, top);
+      put(crossY, "x1", frame.x);
+      put(crossY, "x2", frame.x + frame.width);
+    }
+    handle.toggleAttribute("data-away", !(inX && inY));
+    const [hx, hy] = inX && inY ? [left, top] : [frame.x, frame.y + frame.height];
+    handle.style.transform = `translate(${hx}px, ${hy}px) translate(-50%, -50%)`;
+    const column = probe ? probe.column : nearest(grid.x, at.x);
+    const row = probe ? probe.row : nearest(grid.y, at.y);
+    handle.setAttribute("aria-label", `${name}, place`);
+    handle.setAttribute("aria-valuemin", String(grid.x[0]));
+    handle.setAttribute("aria-valuemax", String(grid.x.at(-1)));
+    handle.setAttribute("aria-valuenow", String(grid.x[column]));
+    handle.setAttribute("aria-valuetext", words(column, row));
+  }
+
+  function placeLevel() {
+    const { level } = values;
+    if (!arrangement || !grid || !level) {
+      show(line, false);
+      show(lineCasing, false);
+      return;
+    }
+    const { xPixel, yPixel } = arrangement;
+    const levels = values.kind === "signed" ? [-level, level] : [level];
+    const path = levels
+      .flatMap((l) => contour(grid?.x ?? [], grid?.y ?? [], grid?.z ?? [], l))
+      .map(
+        ([a, b]) =>
+          `M${px(xPixel(a[0]))},${px(yPixel(a[1]))}L${px(xPixel(b[0]))},${px(yPixel(b[1]))}`,
+      )
+      .join("");
+    for (const node of [line, lineCasing]) {
+      show(node, path !== "");
+      node.setAttribute("d", path);
+    }
+  }
+
+  function placeKey() {
+    const colors = stops(scale.kind, theme.color).map(([at, c]) => `${c} ${100 * at}%`);
+    const bar = document.createElement("span");
+    bar.className = "map-bar";
+    bar.style.background = `linear-gradient(90deg, ${colors.join(", ")})`;
+    const beyond = scale.capped ? "≥ " : "";
+    const signed = scale.kind === "signed";
+    const texts = [
+      signed ? `${scale.capped ? "≤ " : ""}${plain(scale.low)}` : "0",
+      ...(signed ? ["0"] : []),
+      `${beyond}${plain(scale.high)}`,
+    ];
+    const ends = texts.map((text) => {
+      const span = document.createElement("span");
+      span.textContent = text;
+      return span;
+    });
+    const labels = document.createElement("span");
+    labels.className = "map-ends";
+    labels.append(...ends);
+    const title = document.createElement("span");
+    title.className = "map-title";
+    title.textContent = plainText(values.title);
+    const scaleBox = document.createElement("span");
+    scaleBox.className = "map-scale";
+    scaleBox.append(bar, labels);
+    key.replaceChildren(title, scaleBox);
+    if (values.level) {
+      const note = document.createElement("span");
+      note.className = "map-note";
+      note.textContent = `line at ${scale.kind === "signed" ? "±" : ""}${plain(values.level)}`;
+      key.append(note);
+    }
+  }
+
+  function traces() {
+    return [
+      {
+        type: /** @type {const} */ ("heatmap"),
+        x: grid?.x,
+        y: grid?.y,
+        z: grid?.z,
+        zmin: scale.low,
+        zmax: scale.high,
+        zauto: false,
+        zsmooth: false,
+        colorscale: stops(scale.kind, theme.color),
+        showscale: false,
+        hoverinfo: "skip",
+      },
+    ];
+  }
+
+  /** @param {import("./layout.js").Arrangement} layout */
+  function bareLayout(layout) {
+    const full = plotlyLayout(axes(), layout, theme);
+    const still = { showgrid: false };
+    return {
+      ...full,
+      hovermode: false,
+      xaxis: { ...full.xaxis, ...still },
+      yaxis: { ...full.yaxis, ...still, range: layout.ranges.y },
+    };
+  }
+
+  /** @param {{width: number, height: number}} size @param {number} [header] */
+  function arranged(size, header = 0) {
+    const measure = createMeasure({ ...theme, size: 12 * theme.unit });
+    return arrange({
+      size,
+      axes: axes(),
+      traces: [],
+      measure,
+      marksRow: false,
+      unit: theme.unit,
+      header,
+    });
+  }
+
+  async function settle() {
+    if (!window.Plotly) await library();
+    const size = { width: area.clientWidth, height: area.clientHeight };
+    if (destroyed || !grid || size.width < SMALLEST || size.height < SMALLEST) return;
+    arrangement = arranged(size);
+    const drawn = Plotly.react(
+      canvas,
+      /** @type {any} */ (traces()),
+      bareLayout(arrangement),
+      CONFIG,
+    );
+    placeLevel();
+    placeCross();
+    await drawn;
+  }
+
+  /** @param {PointerEvent} event */
+  function cellAt(event) {
+    if (!arrangement || !grid) return null;
+    const bounds = area.getBoundingClientRect();
+    const [x, y] = [event.clientX - bounds.left, event.clientY - bounds.top];
+    const { frame, ranges } = arrangement;
+    if (x < frame.x || x > frame.x + frame.width || y < frame.y || y > frame.y + frame.height)
+      return null;
+    const down = (y - frame.y) / frame.height;
+    return {
+      x,
+      y,
+      column: nearest(grid.x, arrangement.xValue(x)),
+      row: nearest(grid.y, ranges.y[1] - down * (ranges.y[1] - ranges.y[0])),
+    };
+  }
+
+  /** @param {{column: number, row: number}} cell */
+  function go({ column, row }) {
+    probe = null;
+    const [x, y] = [grid?.x[column], grid?.y[row]];
+    if (x !== undefined && y !== undefined)
+      options.onPick(Number(x.toPrecision(6)), Number(y.toPrecision(6)));
+  }
+
+  area.addEventListener("pointermove", (event) => {
+    const cell = cellAt(event);
+    tip.hidden = cell === null;
+    if (!cell || !arrangement) return;
+    tip.textContent = words(cell.column, cell.row);
+    const left = cell.x > arrangement.frame.x + arrangement.frame.width / 2;
+    tip.style.transform = `translate(${cell.x + (left ? -10 : 10)}px, ${cell.y - 12}px) translate(${left ? -100 : 0}%, -100%)`;
+  });
+  area.addEventListener("pointerleave", () => {
+    tip.hidden = true;
+  });
+  area.addEventListener("click", (event) => {
+    const cell = cellAt(/** @type {PointerEvent} */ (event));
+    if (cell) go(cell);
+  });
+  handle.addEventListener("keydown", (event) => {
+    if (!grid || event.ctrlKey || event.metaKey) return;
+    const at = probe ?? { column: nearest(grid.x, current.x), row: nearest(grid.y, current.y) };
+    if (event.key === "Enter" || event.key === " ") {
+      event.preventDefault();
+      go(at);
+      return;
+    }
+    if (event.key === "Escape") {
+      probe = null;
+      placeCross();
+      return;
+    }
+    const far = event.shiftKey ? 10 : 1;
+    const [dx, dy] =
+      {
+        ArrowRight: [far, 0],
+        ArrowLeft: [-far, 0],
+        ArrowUp: [0, far],
+        ArrowDown: [0, -far],
+        PageUp: [0, 10],
+        PageDown: [0, -10],
+        Home: [-grid.x.length, 0],
+        End: [grid.x.length, 0],
+      }[event.key] ?? [];
+    if (dx === undefined || dy === undefined) return;
+    event.preventDefault();
+    probe = {
+      column: Math.min(Math.max(at.column + dx, 0), grid.x.length - 1),
+      row: Math.min(Math.max(at.row + dy, 0), grid.y.length - 1),
+    };
+    placeCross();
+    tip.hidden = false;
+    tip.textContent = `${words(probe.column, probe.row)} · Enter goes there`;
+    tip.style.transform = `translate(${arrangement?.frame.x ?? 0}px, ${arrangement?.frame.y ?? 0}px)`;
+  });
+  handle.addEventListener("blur", () => {
+    probe = null;
+    tip.hidden = true;
+    placeCross();
+  });
+
+  let waiting = 0;
+  const observer = new ResizeObserver(() => {
+    cancelAnimationFrame(waiting);
+    waiting = requestAnimationFrame(() => void settle());
+  });
+  observer.observe(area);
+
+  return {
+    /** @param {Grid} next @param {Partial<Pick<MapOptions, "name" | "x" | "y" | "z">>} [changes] */
+    draw(next, changes = {}) {
+      grid = next;
+      name = changes.name ?? name;
+      xAxis = changes.x ?? xAxis;
+      yAxis = changes.y ?? yAxis;
+      values = changes.z ?? values;
+      probe = null;
+      scale = scaleOf(grid.z, values.kind);
+      element.setAttribute("aria-label", name);
+      placeKey();
+      return settle();
+    },
+    /** @param {number} x @param {number} y */
+    marker(x, y) {
+      current = { x, y };
+      placeCross();
+    },
+    /** @param {'png' | 'svg' | 'csv'} format */
+    async exportAs(format) {
+      if (!grid) throw new Error("there is no map yet");
+      if (format === "csv")
+        return new Blob([gridCsv(grid, xAxis, yAxis, plainText(values.title))], {
+          type: "text/csv;charset=utf-8",
+        });
+      const size = { width: 960, height: 720 };
+      const layout = arranged({ ...size, width: size.width - 110 }, 40);
+      const bare = bareLayout(layout);
+      const bar = {
+        title: { text: plainText(values.title), side: "right" },
+        outlinewidth: 0,
+        thickness: 16,
+      };
+      return imageOf(
+        {
+          data: /** @type {any} */ (
+            traces().map((t) => ({ ...t, showscale: true, colorbar: bar }))
+          ),
+          layout: {
+            ...bare,
+            ...size,
+            margin: { ...bare.margin, r: layout.margins.right + 110 },
+            title: {
+              text: `<b>${name}</b>`,
+              x: 0.01,
+              xanchor: "left",
+              font: { size: 16, color: theme.ink },
+            },
+            paper_bgcolor: theme.paper,
+            plot_bgcolor: theme.paper,
+          },
+          config: { ...CONFIG, staticPlot: true },
+        },
+        format,
+      );
+    },
+    table: () => gridTable(name, grid, xAxis, yAxis, values.print),
+    theme() {
+      theme = readTheme(element);
+      if (grid) placeKey();
+      void settle();
+    },
+    destroy() {
+      destroyed = true;
+      observer.disconnect();
+      cancelAnimationFrame(waiting);
+      window.Plotly?.purge(canvas);
+      element.replaceChildren();
+    },
+  };
+}
