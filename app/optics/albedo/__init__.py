@@ -5,6 +5,7 @@ from app.optics.albedo.exact import Albedo, Quantity, albedo, method
 from app.optics.albedo.fit import Claim, Domain, Fit, measure_claim
 from app.optics.albedo.fits import FITS, UnknownFit, find_fit
 from app.optics.albedo.flatland import flatland_albedo
+from app.optics.albedo.models import model_albedo
 
 __all__ = [
     "BODY_ALBEDO",
@@ -22,4 +23,5 @@ __all__ = [
     "flatland_albedo",
     "measure_claim",
     "method",
+    "model_albedo",
 ]
