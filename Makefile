@@ -10,7 +10,7 @@ BROWSERS := chromium chromium-browser google-chrome-stable google-chrome
 export PATH := $(CURDIR)/$(BIN):$(CURDIR)/node_modules/.bin:$(PATH)
 
 .NOTPARALLEL:
-.PHONY: help run test format lint types unit browser bench lock vendor chromium clean
+.PHONY: help run test format lint types unit browser bench lock vendor readme pictures chromium clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -56,6 +56,12 @@ lock: $(BIN)/python ## recompute the hash-locked requirement files from pyprojec
 
 vendor: $(VENV)/test.stamp node_modules/stamp ## refill static/vendor from the npm packages
 	python tools/vendor.py
+
+readme: $(VENV)/test.stamp ## rewrite the tables in README.md that are made from the code
+	python tools/readme.py
+
+pictures: $(VENV)/test.stamp chromium ## take the README's pictures from the running page
+	python tools/pictures.py
 
 $(BIN)/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \

@@ -1,0 +1,99 @@
+"""What the README says is so: its commands, its example, its tables, its links."""
+
+import asyncio
+import re
+import shlex
+import subprocess
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import httpx
+import pytest
+
+from app.main import create_app
+from app.optics.registry import default_registry
+from app.settings import Settings
+from tools.readme import PARTS, refreshed
+
+ROOT = Path(__file__).parents[2]
+README = (ROOT / "README.md").read_text("utf-8")
+BLOCKS: list[tuple[str, str]] = re.findall(
+    r"^```(\w*)\n(.*?)^```$", README, re.MULTILINE | re.DOTALL
+)
+COMMANDS = [line for language, block in BLOCKS if language == "sh" for line in block.splitlines()]
+MAKE = [command for command in COMMANDS if command.startswith("make ")]
+CALLS = [command for command in COMMANDS if command.startswith("curl ")]
+TARGETS = re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text("utf-8"), re.MULTILINE)
+# Of Markdown [text](address), of HTML src="address" and srcset="address".
+ADDRESSES = re.findall(r"\]\(([^)\s]+)\)|src(?:set)?=\"([^\"]+)\"", README)
+RELATIVE = sorted({path for pair in ADDRESSES for path in pair if path and "://" not in path})
+
+
+def test_every_command_is_one_that_is_checked_here() -> None:
+    assert {"make run", "make test"} <= set(MAKE)
+    assert len(CALLS) == 1
+    assert sorted(COMMANDS) == sorted(MAKE + CALLS)
+
+
+@pytest.mark.parametrize("command", [*MAKE, *re.findall(r"`(make [a-z]+)`", README)])
+def test_make_knows_the_command(command: str) -> None:
+    assert command.removeprefix("make ") in TARGETS
+    dry_run = [*shlex.split(command), "--dry-run", "--silent"]
+    subprocess.run(dry_run, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+
+
+async def answer(address: str) -> httpx.Response:
+    """Ask the application itself, without a server."""
+    transport = httpx.ASGITransport(app=create_app())
+    async with httpx.AsyncClient(transport=transport) as client:
+        return await client.get(address)
+
+
+def test_the_call_gives_the_answer_shown() -> None:
+    (_, address) = shlex.split(CALLS[0])
+    served_at = Settings.model_construct()  # the defaults, whatever the environment says
+    called = urlsplit(address)
+    assert (called.hostname, called.port) == (served_at.host, served_at.port)
+    at = next(i for i, (_, block) in enumerate(BLOCKS) if CALLS[0] in block)
+    language, shown = BLOCKS[at + 1]
+    assert language == "text"
+    response = asyncio.run(answer(address))
+    assert response.status_code == 200
+    assert response.text.splitlines() == shown.splitlines()
+
+
+def test_generated_parts_are_fresh() -> None:
+    assert refreshed(README) == README, "run make readme"
+
+
+def test_generated_parts_name_everything() -> None:
+    made = {name: make() for name, make in PARTS.items()}
+    models = made["exact-forms"] + made["approximations"]
+    assert [model_id for model_id in default_registry() if f"| `{model_id}` |" not in models] == []
+    assert [path for path in create_app().openapi()["paths"] if path not in made["routes"]] == []
+    assert [
+        name for name in Settings.model_fields if f"FRESNEL_{name.upper()}" not in made["settings"]
+    ] == []
+
+
+def test_a_readme_without_its_markers_is_refused() -> None:
+    with pytest.raises(ValueError, match="markers of routes"):
+        refreshed(README.replace("<!-- routes:end -->", ""))
+
+
+@pytest.mark.parametrize("path", RELATIVE)
+def test_link_leads_somewhere(path: str) -> None:
+    assert (ROOT / path).exists()
+    tracked = ["git", "ls-files", "--error-unmatch", path]
+    if (ROOT / ".git").exists():
+        subprocess.run(tracked, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+
+
+def test_pictures_are_pictures() -> None:
+    pictures = [path for path in RELATIVE if path.endswith(".png")]
+    assert "docs/explore-light.png" in pictures
+    for picture in pictures:
+        content = (ROOT / picture).read_bytes()
+        assert content.startswith(b"\x89PNG\r\n")
+        width, height = (int.from_bytes(content[at : at + 4], "big") for at in (16, 20))
+        assert (width, height) == (1440, 900)

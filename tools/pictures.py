@@ -1,0 +1,83 @@
+"""Take the README's pictures from the running page: run it by `make pictures`.
+
+The server answers on a free port of this machine, and Chromium is the one that CHROME_PATH names or
+the first found on the PATH.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Literal
+
+import uvicorn
+from playwright.sync_api import Browser, sync_playwright
+
+from app.main import create_app
+from app.settings import Settings
+
+FOLDER = Path(__file__).resolve().parent.parent / "docs"
+BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome")
+SIZE = (1440, 900)
+# File name, colours, address of the page.
+PICTURES: tuple[tuple[str, Literal["light", "dark"], str], ...] = (
+    ("explore-light.png", "light", "/?n_t=1.5&theta_i_deg=64&models=schlick"),
+    ("explore-dark.png", "dark", "/?n_t=1.5&theta_i_deg=64&models=schlick"),
+)
+
+
+@contextlib.contextmanager
+def served() -> Iterator[str]:
+    """Serve the page from this process and yield its address."""
+    settings = Settings(port=0)
+    config = uvicorn.Config(
+        create_app(settings), host=settings.host, port=settings.port, log_level="warning"
+    )
+    server = uvicorn.Server(config)
+    thread = threading.Thread(target=server.run)
+    thread.start()
+    try:
+        while not server.started and thread.is_alive():
+            time.sleep(0.05)
+        port = server.servers[0].sockets[0].getsockname()[1]
+        yield f"http://{settings.host}:{port}"
+    finally:
+        server.should_exit = True
+        thread.join()
+
+
+def take(browser: Browser, url: str, scheme: Literal["light", "dark"], target: Path) -> None:
+    """Photograph one page after everything on it is drawn."""
+    width, height = SIZE
+    page = browser.new_page(
+        viewport={"width": width, "height": height}, color_scheme=scheme, reduced_motion="reduce"
+    )
+    page.goto(url, wait_until="networkidle")
+    page.evaluate("() => document.fonts.ready.then(() => undefined)")
+    page.wait_for_selector(".js-plotly-plot .scatterlayer path")
+    page.wait_for_timeout(500)  # the settled drawing follows the first one
+    page.screenshot(path=target)
+    page.close()
+
+
+def main() -> None:
+    """Take all pictures."""
+    executable = os.environ.get("CHROME_PATH") or next(filter(None, map(shutil.which, BROWSERS)))
+    # Chromium refuses to run its sandbox as root.
+    arguments = ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
+    FOLDER.mkdir(exist_ok=True)
+    with served() as address, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=executable, args=arguments)
+        for name, scheme, path in PICTURES:
+            take(browser, f"{address}{path}", scheme, FOLDER / name)
+            print(f"docs/{name}: {(FOLDER / name).stat().st_size:,} bytes")
+        browser.close()
+
+
+if __name__ == "__main__":
+    main()
