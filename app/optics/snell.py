@@ -142,6 +142,7 @@ def _unit_pair(incident: ArrayLike, normal: ArrayLike) -> tuple[Array, Array, Ar
         if not np.all(np.abs(length - 1.0) <= _UNIT_TOLERANCE):
             raise NotAllowed(name, vector.tolist(), "unit vectors")
     cos_i = -np.sum(i * n, axis=-1, keepdims=True)
-    if not np.all(cos_i >= 0.0):
+    # A ray along the surface may seem to come from behind it by as much as its vectors are rounded.
+    if not np.all(cos_i >= -_UNIT_TOLERANCE):
         raise NotAllowed("incident", i.tolist(), "a direction toward the surface, i . n <= 0")
-    return i, n, cos_i
+    return i, n, np.maximum(cos_i, 0.0)
