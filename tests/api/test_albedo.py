@@ -1,0 +1,337 @@
+"""The routes about albedos: numbers, shapes, refusals."""
+
+from __future__ import annotations
+
+import asyncio
+import csv
+import io
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+from fastapi import FastAPI
+
+from app.api import albedo as albedo_routes
+from app.api import problems
+from app.api.albedo_schemas import AlbedoOut, CoatOut, FitOut, FitsOut, MapOut, SweepOut
+from app.optics.albedo import FITS, albedo, coat_split, flatland_albedo
+from app.optics.interface import Interface
+from app.optics.registry import default_registry
+from app.settings import Settings
+
+GOLDEN = json.loads(
+    (Path(__file__).parents[1] / "optics" / "reference" / "albedo.json").read_text("utf-8")
+)
+Get = Callable[..., httpx.Response]
+
+
+@pytest.fixture(scope="module")
+def get() -> Get:
+    app = FastAPI()
+    app.state.settings = Settings()
+    problems.install(app)
+    app.include_router(albedo_routes.router(default_registry()), prefix="/api/v1")
+
+    def ask(path: str, **parameters: Any) -> httpx.Response:
+        async def request() -> httpx.Response:
+            transport = httpx.ASGITransport(app=app)
+            async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
+                return await client.get(f"/api/v1{path}", params=parameters)
+
+        return asyncio.run(request())
+
+    return ask
+
+
+def rows(answer: httpx.Response) -> list[dict[str, str]]:
+    assert answer.status_code == 200
+    assert answer.headers["content-type"] == "text/csv; charset=utf-8"
+    return list(csv.DictReader(io.StringIO(answer.text)))
+
+
+@pytest.mark.parametrize("row", GOLDEN["dielectric"] + GOLDEN["conductor"], ids=str)
+def test_exact_albedo(get: Get, row: dict[str, float]) -> None:
+    answer = get("/albedo", n_t=row["n"], k_t=row.get("k", 0.0)).json()
+    AlbedoOut.model_validate(answer)
+    for name in ("unpolarized", "s", "p"):
+        assert answer["exact"][name] == pytest.approx(row[name], rel=1e-12)
+
+
+def test_every_fit_stands_beside_the_exact_value(get: Get) -> None:
+    answer = get("/albedo", n_t=1.5).json()
+    assert [entry["id"] for entry in answer["approximations"]] == list(FITS)
+    for entry in answer["approximations"]:
+        fit, glass = FITS[entry["id"]], Interface(n_t=1.5)
+        if np.isfinite(fit(glass)):
+            assert entry["value"] == float(fit(glass))
+            assert entry["error"] == pytest.approx(float(fit.error(glass)), abs=1e-15)
+        else:  # large_k divides by k^2
+            assert (entry["value"], entry["error"]) == (None, None)
+        assert entry["in_domain"] == (fit.reason_outside(glass) is None)
+        assert entry["in_domain"] == (entry["reason"] is None)
+        assert entry["reference"] == fit.reference
+    assert answer["flatland"] == float(flatland_albedo(Interface(n_t=1.5)))
+
+
+def test_the_other_side(get: Get) -> None:
+    """Internal diffuse reflectance, by reciprocity and by the fits made for it."""
+    answer = get("/albedo", n_t=1.5).json()
+    outer, inner = answer["exact"]["unpolarized"], answer["reverse"]["exact"]
+    assert inner["unpolarized"] == pytest.approx(1 - (1 - outer) / 1.5**2, rel=1e-14)
+    assert inner["method"] == "closed form by reciprocity"
+    fits = {entry["id"]: entry for entry in answer["reverse"]["approximations"]}
+    assert fits["egan_hilgeman_1973"]["in_domain"]
+    assert abs(fits["egan_hilgeman_1973"]["error"]) < 1e-3
+    assert not fits["deon_2019_log"]["in_domain"]
+    assert get("/albedo", n_t=0.2, k_t=3.0).json()["reverse"] is None
+
+
+def test_models_are_averaged_on_request(get: Get) -> None:
+    answer = get("/albedo", n_t=1.5, models="schlick,exact", digits=17).json()
+    schlick, exact = answer["models"]
+    assert schlick["value"] == pytest.approx(0.04 + 0.96 / 21, rel=1e-12)
+    assert schlick["error"] == pytest.approx(
+        schlick["value"] - answer["exact"]["unpolarized"], rel=1e-12
+    )
+    assert exact["error"] == 0.0
+
+
+def test_a_model_with_three_colors(get: Get) -> None:
+    parameters = {"models": "f82_tint", "f82_tint.F0": "1.0,0.766,0.336", "f82_tint.tint": "1"}
+    answer = get("/albedo", n_t=0.2, k_t=3.0, **parameters).json()
+    expected = [F0 + (1 - F0) / 21 for F0 in (1.0, 0.766, 0.336)]
+    assert answer["models"][0]["value"] == pytest.approx(expected, rel=1e-10)
+    table = get("/albedo", n_t=0.2, k_t=3.0, format="csv", **parameters)
+    assert float(rows(table)[0]["model.f82_tint.value_green"]) == pytest.approx(expected[1])
+    sweep = get("/albedo/sweep", steps=3, k_t=3.0, **parameters).json()
+    names = [curve["quantity"] for curve in sweep["curves"] if curve["kind"] == "model"]
+    assert names == ["unpolarized_red", "unpolarized_green", "unpolarized_blue"]
+
+
+def test_one_interface_as_csv(get: Get) -> None:
+    (row,) = rows(get("/albedo", n_t=1.5, format="csv", digits=5, models="schlick"))
+    assert row["exact.unpolarized"] == "0.091778"
+    assert row["deon_2019_log.error"] == "0.0013228"
+    assert row["large_k.value"] == ""  # -inf without absorption is no number
+    assert row["model.schlick.value"] == "0.085714"
+
+
+def test_catalog_of_fits(get: Get) -> None:
+    answer = get("/albedo/fits").json()
+    FitsOut.model_validate(answer)
+    assert [entry["id"] for entry in answer["fits"]] == list(FITS)
+    second = get("/albedo/fits/deon_2019_rg").json()
+    FitOut.model_validate(second)
+    assert second in answer["fits"]
+    (claim,) = second["claims"]
+    assert (claim["claimed"], claim["measured"], claim["holds"]) == (6e-5, 1.65e-4, False)
+    assert claim["domain"] == {"kind": "conductor", "eta": [0.1, 4.0], "kappa": [1.7, 8.0]}
+    missing = get("/albedo/fits/deon_2019_gr")
+    assert missing.status_code == 404
+    assert "deon_2019_rg" in missing.json()["detail"]
+
+
+def test_sweep_over_n_t(get: Get) -> None:
+    answer = get(
+        "/albedo/sweep", minimum=1, maximum=4, steps=301, fits="deon_2019_log", flatland="true"
+    ).json()
+    SweepOut.model_validate(answer)
+    n = np.linspace(1.0, 4.0, 301)
+    assert answer["values"] == n.tolist()
+    assert answer["n_t"] is None
+    curves = {(curve["id"], curve["quantity"]): curve for curve in answer["curves"]}
+    exact = albedo(Interface(1.0, n))
+    for name in ("unpolarized", "s", "p"):
+        assert curves["exact", name]["values"] == getattr(exact, name).tolist()
+    flat = flatland_albedo(Interface(1.0, n)).tolist()
+    assert curves["flatland", "unpolarized"]["values"] == flat
+    fitted = curves["deon_2019_log", "unpolarized"]
+    assert fitted["in_domain"] == [1.0, 3.0]
+    errors = np.array(fitted["error"])
+    np.testing.assert_array_equal(errors, np.array(fitted["values"]) - exact.unpolarized)
+    assert np.max(np.abs(errors[n <= 3.0])) == pytest.approx(0.0017, abs=5e-5)
+
+
+@pytest.mark.parametrize("over", ["n_t", "eta", "k_t"])
+def test_sweeps_hold_the_rest(get: Get, over: str) -> None:
+    fixed: dict[str, float] = {"n_t": 0.4} if over == "k_t" else {"k_t": 2.5}
+    answer = get(
+        "/albedo/sweep", over=over, n_i=1.33, minimum=0.5, maximum=3, steps=4, scale="log", **fixed
+    ).json()
+    values = np.geomspace(0.5, 3.0, 4)
+    np.testing.assert_allclose(answer["values"], values)
+    interface = {
+        "n_t": Interface(1.33, values, 2.5),
+        "eta": Interface(1.33, 1.33 * values, 2.5),
+        "k_t": Interface(1.33, 0.4, values),
+    }[over]
+    np.testing.assert_allclose(
+        answer["curves"][0]["values"], albedo(interface).unpolarized, rtol=1e-13
+    )
+    assert {name: answer[name] for name in fixed} == fixed
+
+
+def test_presets_stand_in_place_of_numbers(get: Get) -> None:
+    answer = get("/albedo", material="gold", incident="water").json()
+    interface = Interface(*(answer["interface"][name] for name in ("n_i", "n_t", "k_t")))
+    assert answer["exact"]["unpolarized"] == float(albedo(interface).unpolarized)
+    assert answer["interface"]["material"]["id"] == "Au"
+    sweep = get("/albedo/sweep", incident="water", k_t=2.0, steps=3).json()
+    assert sweep["incident"]["id"] == "water"
+    assert sweep["n_i"] == answer["interface"]["n_i"]
+    assert get("/albedo/sweep", n_i=1.33, steps=3).json()["incident"] is None
+
+
+def test_a_sweep_outside_a_domain(get: Get) -> None:
+    answer = get("/albedo/sweep", k_t=0.5, steps=3, fits="deon_2019_rg,dunkle_1963_s").json()
+    assert [curve["in_domain"] for curve in answer["curves"]] == [None] * 5
+    assert answer["curves"][4]["quantity"] == "s"
+
+
+def test_sweep_as_csv(get: Get) -> None:
+    table = rows(
+        get(
+            "/albedo/sweep",
+            minimum=1,
+            maximum=2,
+            steps=2,
+            digits=5,
+            format="csv",
+            fits="schlick",
+            models="schlick",
+        )
+    )
+    assert table[1] == {
+        "n_t": "2.0",
+        "exact.unpolarized": "0.1606",
+        "exact.s": "0.25926",
+        "exact.p": "0.061934",
+        "schlick.unpolarized": "0.15344",
+        "schlick.unpolarized.error": "-0.0071575",
+        "model.schlick.unpolarized": "0.15344",
+        "model.schlick.unpolarized.error": "-0.0071575",
+    }
+
+
+def test_map_of_a_fits_error(get: Get) -> None:
+    answer = get(
+        "/albedo/map",
+        fit="deon_2019_rg",
+        n_i=1.33,
+        n_minimum=0.5,
+        n_steps=5,
+        k_minimum=3,
+        k_steps=4,
+    ).json()
+    MapOut.model_validate(answer)
+    values, fit = np.array(answer["values"]), FITS["deon_2019_rg"]
+    assert values.shape == (4, 5)
+    assert answer["show"] == "error"
+    n, k = np.linspace(0.5, 4.0, 5), np.linspace(3.0, 8.0, 4)
+    interface = Interface(1.33, n[np.newaxis, :], k[:, np.newaxis])
+    np.testing.assert_allclose(values, fit.error(interface), atol=1e-15)
+    assert answer["domains"] == [
+        {"n_t": pytest.approx([0.133, 5.32]), "k_t": pytest.approx([2.261, 10.64])}
+    ]
+    largest = answer["largest"]
+    assert abs(largest["value"]) == np.abs(values).max()
+    at = np.array(answer["k_t"]) == largest["k_t"], np.array(answer["n_t"]) == largest["n_t"]
+    assert values[at][0] == largest["value"]
+    assert answer["largest_in_domain"] == largest
+
+
+def test_map_shows_what_is_asked(get: Get) -> None:
+    shape = {"n_steps": 3, "k_steps": 2}
+    exact = get("/albedo/map", quantity="s", **shape).json()
+    assert (exact["fit"], exact["show"], exact["quantity"]) == (None, "exact", "s")
+    assert exact["largest_in_domain"] is None
+    same = get("/albedo/map", fit="dunkle_1963_s", show="exact", **shape).json()
+    assert same["values"] == exact["values"]
+    value = get("/albedo/map", fit="dunkle_1963_s", show="value", **shape).json()
+    error = get("/albedo/map", fit="dunkle_1963_s", **shape).json()
+    difference = np.array(value["values"]) - np.array(exact["values"])
+    np.testing.assert_array_equal(error["values"], difference)
+
+
+def test_map_holds_null_where_a_fit_is_undefined(get: Get) -> None:
+    answer = get("/albedo/map", fit="large_k", n_steps=3, k_steps=3).json()
+    MapOut.model_validate(answer)
+    assert answer["values"][0] == [None] * 3  # k = 0
+    assert answer["largest"]["k_t"] == 4.0
+    assert answer["largest_in_domain"] is None
+    assert rows(get("/albedo/map", fit="large_k", n_steps=2, k_steps=2, format="csv"))[0] == {
+        "n_t": "0.1",
+        "k_t": "0.0",
+        "error": "",
+    }
+
+
+def test_coat(get: Get) -> None:
+    answer = get("/albedo/coat", n_t=1.5, body_albedo=0.8).json()
+    CoatOut.model_validate(answer)
+    split = coat_split(Interface(n_t=1.5), 0.8)
+    for name in ("external", "internal", "surface", "body", "absorbed"):
+        assert answer[name] == float(getattr(split, name))
+    assert answer["theta_i_deg"] is None
+    ray = get("/albedo/coat", n_t=1.5, body_albedo=0.8, theta_i_deg=0).json()
+    assert ray["surface"] == pytest.approx(0.04, rel=1e-14)
+    assert ray["internal"] == answer["internal"]
+    (row,) = rows(get("/albedo/coat", n_t=1.5, body_albedo=0.8, format="csv"))
+    assert float(row["body"]) == answer["body"]
+
+
+@pytest.mark.parametrize(
+    ("path", "parameters", "named"),
+    [
+        ("/albedo", {"n_t": 0}, "n_t"),
+        ("/albedo", {"k_t": -1}, "k_t"),
+        ("/albedo", {"n_t": "nan"}, "n_t"),
+        ("/albedo", {"foo": 1}, "foo"),
+        ("/albedo", {"models": "shlick"}, "models"),
+        ("/albedo", {"models": ","}, "models"),
+        ("/albedo", {"lut_1d.size": 8}, "lut_1d.size"),
+        ("/albedo/sweep", {"over": "n_i"}, "over"),
+        ("/albedo/sweep", {"n_t": 2}, "n_t"),
+        ("/albedo/sweep", {"over": "eta", "n_t": 2}, "n_t"),
+        ("/albedo/sweep", {"over": "k_t", "k_t": 2}, "k_t"),
+        ("/albedo/sweep", {"material": "gold"}, "material"),
+        ("/albedo/sweep", {"over": "k_t", "material": "gold"}, "material"),
+        ("/albedo/sweep", {"minimum": 3, "maximum": 3}, "minimum"),
+        ("/albedo/sweep", {"minimum": 0}, "minimum"),
+        ("/albedo/sweep", {"maximum": 101}, "maximum"),
+        ("/albedo/sweep", {"over": "eta", "n_i": 2, "maximum": 51}, "maximum"),
+        ("/albedo/sweep", {"over": "k_t", "minimum": 0, "scale": "log"}, "minimum"),
+        ("/albedo/sweep", {"steps": 1_000_000_000}, "steps"),
+        ("/albedo/sweep", {"steps": 1}, "steps"),
+        ("/albedo/sweep", {"maximum": "inf"}, "maximum"),
+        ("/albedo/sweep", {"fits": "schlick,schlick"}, "fits"),
+        ("/albedo/sweep", {"fits": "deon_2019"}, "fits"),
+        ("/albedo/map", {"n_steps": 1000, "k_steps": 1000}, "n_steps"),
+        ("/albedo/map", {"n_minimum": 4}, "n_minimum"),
+        ("/albedo/map", {"k_minimum": 9}, "k_minimum"),
+        ("/albedo/map", {"fit": "nothing"}, "fit"),
+        ("/albedo/map", {"show": "error"}, "show"),
+        ("/albedo/map", {"fit": "dunkle_1963_s", "quantity": "p"}, "quantity"),
+        ("/albedo/coat", {"k_t": 1}, "k_t"),
+        ("/albedo/coat", {"body_albedo": 1.1}, "body_albedo"),
+        ("/albedo/coat", {"theta_i_deg": 91}, "theta_i_deg"),
+    ],
+)
+def test_refused(get: Get, path: str, parameters: dict[str, Any], named: str) -> None:
+    answer = get(path, **parameters)
+    assert answer.status_code == 422
+    assert answer.headers["content-type"] == "application/problem+json"
+    assert [error["parameter"] for error in answer.json()["errors"]] == [named]
+
+
+def test_answers_may_be_cached(get: Get) -> None:
+    first, second = (
+        get("/albedo/map", n_steps=4, k_steps=4),
+        get("/albedo/map", n_steps=4, k_steps=4),
+    )
+    assert first.headers["etag"] == second.headers["etag"]
+    assert "public" in first.headers["cache-control"]
