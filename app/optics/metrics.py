@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Literal, get_args
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.optics.amplitudes import power
 from app.optics.errors import NotAllowed
@@ -18,12 +19,17 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.models.lagarde_conductor import lagarde_conductor
 from app.optics.parameters import Array
+from app.optics.peaks import largest
 from app.optics.quadrature import (
+    Nodes,
     Rule,
+    bends_gently,
     crowded_gauss_legendre,
     double_exponential,
     gauss_legendre,
     hemisphere,
+    root_gauss_legendre,
+    whole,
 )
 from app.optics.registry import Model
 
@@ -57,7 +63,6 @@ MOST_EVALUATIONS = 60_000_000
 """Evaluations of the model that one call of `measure` may take, some seconds' worth."""
 
 _CACHE_SIZE = 1 << 15  # values a block holds at once, so that its temporaries stay in the cache
-_GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,15 +75,19 @@ class Quality:
         Quadrature in each interval.
     kinked_rule
         Quadrature between two kinks of a model that has them.
-    refinements
-        Steps of golden section about the largest error, each leaving 0.62 of the interval.
+    gentle_rule
+        Quadrature in one interval where the exact curve bends gently; None to split everywhere.
+    points, rounds
+        How the largest error is sought, see `app.optics.peaks.largest`.
     reference
-        The exact R.
+        The exact R for absolute errors; relative ones are always taken of `exact`.
     """
 
     rule: Rule
     kinked_rule: Rule
-    refinements: int
+    gentle_rule: Rule | None
+    points: int
+    rounds: int
     reference: Callable[[Interface, Incidence], Array]
 
 
@@ -86,12 +95,14 @@ def _exact(interface: Interface, incidence: Incidence) -> Array:
     return power(interface, incidence).R
 
 
-PRECISE = Quality(double_exponential(), crowded_gauss_legendre(8), 32, _exact)
+PRECISE = Quality(double_exponential(), crowded_gauss_legendre(8), None, 15, 5, _exact)
 """Integrals to 1e-12, the largest error to 1e-13, its angle to 1e-5 degrees."""
 
-FAST = Quality(crowded_gauss_legendre(12), gauss_legendre(3), 8, lagarde_conductor)
-"""For maps of many interfaces, to 1e-4; the reference is as exact but for relative errors near
-N = n_i."""
+FAST = Quality(
+    crowded_gauss_legendre(12), gauss_legendre(3), root_gauss_legendre(14), 5, 1, lagarde_conductor
+)
+"""For maps of many interfaces: integrals to 1e-4, the largest error to 5e-4, most of them far better.
+Where absolute errors alone are wanted the exact R is taken from a form that is cheaper."""
 
 
 def point_error(
@@ -164,8 +175,7 @@ def measure(
     values = model.arguments(interface) if arguments is None else arguments
     kinks = None if model.kinks is None else model.kinks(**values)
     rule = quality.rule if kinks is None else quality.kinked_rule
-    intervals = 2 if kinks is None else kinks.size + 2
-    nodes = intervals * (rule.x.size + 1) + 1
+    nodes = (2 if kinks is None else kinks.size + 2) * (rule.x.size + 1) + 1
     media = (interface.n_i, interface.n_t, interface.k_t)
     shape = np.broadcast_shapes(*(a.shape for a in (*media, *values.values())))
     total = int(np.prod(shape, dtype=np.int64))
@@ -176,40 +186,57 @@ def measure(
     relative = not _RELATIVE.isdisjoint(wanted)
     curves = _ErrorCurves(
         model,
-        [np.broadcast_to(m, shape).reshape(-1, 1) for m in media],
+        Interface(*(np.broadcast_to(m, shape).reshape(-1, 1) for m in media)),
         {
             n: v if v.ndim == 0 else np.broadcast_to(v, shape).reshape(-1, 1)
             for n, v in values.items()
         },
         _exact if relative else quality.reference,
     )
-    result = _metrics(curves, rule, kinks, quality.refinements, wanted)
-    return {name: result[name].reshape(shape) for name in wanted}
+    gentle = np.zeros(total, dtype=bool)
+    if quality.gentle_rule is not None and kinks is None:
+        gentle = bends_gently(curves.interface)[:, 0]
+        same = whole(quality.gentle_rule)
+    result: dict[Metric, Array] = {name: np.empty(total) for name in wanted}
+    for rows in _blocks(np.flatnonzero(~gentle), nodes):
+        part = curves.part(rows)
+        split = hemisphere(part.interface, rule, kinks)
+        flat = Nodes(split.mu[:, 0], split.w[:, 0])
+        for name, column in _metrics(part, flat, quality, wanted).items():
+            result[name][rows] = column
+    for rows in _blocks(np.flatnonzero(gentle), 2 * same.mu.size if gentle.any() else 1):
+        for name, column in _metrics(curves.part(rows), same, quality, wanted).items():
+            result[name][rows] = column
+    return {name: column.reshape(shape) for name, column in result.items()}
+
+
+def _blocks(rows: NDArray[np.intp], values_per_row: int) -> Iterator[NDArray[np.intp]]:
+    size = max(1, _CACHE_SIZE // values_per_row)
+    for start in range(0, rows.size, size):
+        yield rows[start : start + size]
 
 
 @dataclass(frozen=True, slots=True)
 class _ErrorCurves:
-    """Signed error over mu, a row for each interface; media and arguments are columns."""
+    """Signed error over mu, a row for each interface; interface and arguments are columns."""
 
     model: Model
-    media: list[Array]
+    interface: Interface
     arguments: Mapping[str, Array]
     reference: Callable[[Interface, Incidence], Array]
 
-    def rows(self, size: int) -> Iterator[tuple[slice, _ErrorCurves]]:
-        """Parts of so many rows."""
-        for start in range(0, len(self.media[0]), size):
-            rows = slice(start, start + size)
-            media = [column[rows] for column in self.media]
-            arguments = {n: v if v.ndim == 0 else v[rows] for n, v in self.arguments.items()}
-            yield rows, replace(self, media=media, arguments=arguments)
+    def part(self, rows: NDArray[np.intp]) -> _ErrorCurves:
+        """Some of the rows."""
+        media = (self.interface.n_i, self.interface.n_t, self.interface.k_t)
+        arguments = {n: v if v.ndim == 0 else v[rows] for n, v in self.arguments.items()}
+        interface = Interface(*(column[rows] for column in media))
+        return replace(self, interface=interface, arguments=arguments)
 
     def at(self, mu: Array) -> tuple[Array, Array]:
-        """Error and exact R at cosines of shape (rows, any)."""
-        interface = Interface(*self.media)
+        """Error and exact R at cosines of shape (any,) or (rows, any)."""
         incidence = Incidence(mu, np.sqrt((1.0 - mu) * (1.0 + mu)))
-        exact = self.reference(interface, incidence)
-        return self.model.evaluate(interface, incidence, self.arguments) - exact, exact
+        exact = self.reference(self.interface, incidence)
+        return self.model.evaluate(self.interface, incidence, self.arguments) - exact, exact
 
     def error_at(self, mu: Array) -> Array:
         """Error alone."""
@@ -220,96 +247,36 @@ class _ErrorCurves:
         return _relative(*self.at(mu))
 
 
-@dataclass(frozen=True, slots=True)
-class _Peak:
-    """Where the error is largest among the nodes, and the nodes to either side, as columns."""
-
-    low: Array
-    best: Array
-    high: Array
-    error: Array
-
-    @classmethod
-    def empty(cls, rows: int) -> _Peak:
-        return cls(*(np.empty((rows, 1)) for _ in range(4)))
-
-    def set(self, rows: slice, mu: Array, error: Array) -> None:
-        every = np.arange(len(mu))
-        best = np.argmax(np.abs(error), axis=1)
-        self.low[rows, 0] = mu[every, np.maximum(best - 1, 0)]
-        self.best[rows, 0] = mu[every, best]
-        self.high[rows, 0] = mu[every, np.minimum(best + 1, mu.shape[1] - 1)]
-        self.error[rows, 0] = error[every, best]
-
-    def part(self, rows: slice) -> _Peak:
-        return _Peak(self.low[rows], self.best[rows], self.high[rows], self.error[rows])
-
-
-def _metrics(
-    curves: _ErrorCurves,
-    rule: Rule,
-    kinks: Array | None,
-    refinements: int,
-    wanted: Collection[Metric],
-) -> dict[Metric, Array]:
-    total = len(curves.media[0])
-    result: dict[Metric, Array] = {name: np.empty(total) for name in METRICS}
-    undefined = np.zeros(total, dtype=bool)
-    peaks = None if _LARGEST.isdisjoint(wanted) else _Peak.empty(total)
-    relative_peaks = None if _RELATIVE.isdisjoint(wanted) else _Peak.empty(total)
-    intervals = 2 if kinks is None else kinks.size + 2
-    for rows, part in curves.rows(max(1, _CACHE_SIZE // (intervals * (rule.x.size + 1)))):
-        mu, w = hemisphere(Interface(*(column[:, 0] for column in part.media)), rule, kinks)
-        error, exact = part.at(mu)
-        gaps = np.isnan(error)
-        if gaps.any():  # at a single angle, as at the tangent's 90 degrees, nothing is lost
-            undefined[rows] = np.any(gaps & (w > 0.0), axis=1)
-            error = np.where(gaps, 0.0, error)
-        if "rms" in wanted:
-            result["rms"][rows] = np.sqrt(np.einsum("ij,ij,ij->i", w, error, error))
-        if "cosine_weighted_mean" in wanted:
-            mean = 2.0 * np.einsum("ij,ij,ij->i", w, mu, error)
-            result["cosine_weighted_mean"][rows] = mean
-        if peaks:
-            peaks.set(rows, mu, error)
-        if relative_peaks:
-            relative_peaks.set(rows, mu, _relative(error, exact))
-    for rows, part in curves.rows(_CACHE_SIZE // 2):
-        if peaks:
-            error, angle = _refine(part.error_at, peaks.part(rows), refinements)
-            result["max_abs"][rows] = np.abs(error)
-            result["error_at_max"][rows] = error
-            result["max_abs_at_deg"][rows] = angle
-        if relative_peaks:
-            error, angle = _refine(part.relative_at, relative_peaks.part(rows), refinements)
-            result["max_relative"][rows] = np.abs(error)
-            result["max_relative_at_deg"][rows] = angle
-    return {name: np.where(undefined, np.nan, result[name]) for name in wanted}
-
-
 def _relative(error: Array, exact: Array) -> Array:
     with np.errstate(invalid="ignore", divide="ignore"):
         return np.where(error == 0.0, 0.0, error / exact)
 
 
-def _refine(
-    error_at: Callable[[Array], Array], peak: _Peak, refinements: int
-) -> tuple[Array, Array]:
-    """Error of largest modulus between the nodes by golden section, and its angle in degrees."""
-    low, high = peak.low, peak.high
-    left, right = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
-    at_left, at_right = error_at(left), error_at(right)
-    for _ in range(refinements):
-        down = np.abs(at_left) > np.abs(at_right)
-        low, high = np.where(down, low, left), np.where(down, right, high)
-        fresh = np.where(down, high - _GOLDEN * (high - low), low + _GOLDEN * (high - low))
-        at_fresh = error_at(fresh)
-        left, right = np.where(down, fresh, right), np.where(down, left, fresh)
-        at_left, at_right = np.where(down, at_fresh, at_right), np.where(down, at_left, at_fresh)
-    points = np.concatenate([peak.best, left, right], axis=1)
-    found = np.concatenate([peak.error, at_left, at_right], axis=1)
-    largest = np.argmax(np.abs(np.nan_to_num(found, posinf=np.inf)), axis=1)
-    every = np.arange(len(found))
-    cosine = points[every, largest]
-    angle = np.degrees(np.arctan2(np.sqrt((1.0 - cosine) * (1.0 + cosine)), cosine))
-    return found[every, largest], angle
+def _metrics(
+    curves: _ErrorCurves, nodes: Nodes, quality: Quality, wanted: Collection[Metric]
+) -> dict[Metric, Array]:
+    error, exact = curves.at(nodes.mu)
+    gaps = np.isnan(error)
+    undefined = np.any(gaps & (nodes.w > 0.0), axis=1)
+    if gaps.any():  # at a single angle, as at the tangent's 90 degrees, nothing is lost
+        error = np.where(gaps, 0.0, error)
+    result: dict[Metric, Array] = {}
+    if "rms" in wanted:
+        result["rms"] = np.sqrt(np.sum(nodes.w * error * error, axis=1))
+    if "cosine_weighted_mean" in wanted:
+        result["cosine_weighted_mean"] = 2.0 * np.sum(nodes.w * nodes.mu * error, axis=1)
+    division = quality.points, quality.rounds
+    if not _LARGEST.isdisjoint(wanted):
+        peak = largest(curves.error_at, nodes.mu, error, *division)
+        result["max_abs"] = np.abs(peak.value)
+        result["error_at_max"] = peak.value
+        result["max_abs_at_deg"] = _degrees(peak.at)
+    if not _RELATIVE.isdisjoint(wanted):
+        peak = largest(curves.relative_at, nodes.mu, _relative(error, exact), *division)
+        result["max_relative"] = np.abs(peak.value)
+        result["max_relative_at_deg"] = _degrees(peak.at)
+    return {name: np.where(undefined, np.nan, result[name]) for name in wanted}
+
+
+def _degrees(mu: Array) -> Array:
+    return np.degrees(np.arctan2(np.sqrt((1.0 - mu) * (1.0 + mu)), mu))

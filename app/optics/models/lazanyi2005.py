@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.optimize.elementwise import find_root
 
 from app.optics.amplitudes import amplitudes, power, wave
@@ -48,12 +49,8 @@ def slope(interface: Interface, incidence: Incidence) -> Array:
 
 def largest_error_cosine(interface: Interface) -> Array:
     """Cosine at which Schlick exceeds the exact R most, of the interface's shape."""
-    shape = np.broadcast_shapes(interface.n_i.shape, interface.n_t.shape, interface.k_t.shape)
-    media = [np.broadcast_to(m, shape).ravel() for m in _media(interface)]
-    scanned = Incidence.from_cosine(_SCAN)
-    columns = Interface(*(m[:, np.newaxis] for m in media))
-    error = schlick_ior(columns, scanned) - lagarde_conductor(columns, scanned)
-    best = np.clip(np.argmax(error, axis=1), 1, _SCAN.size - 2)
+    best = _scan(interface)
+    media = [np.broadcast_to(m, best.shape) for m in _media(interface)]
 
     def rise(mu: Array, n_i: Array, n_t: Array, k_t: Array) -> Array:
         here, incidence = Interface(n_i, n_t, k_t), Incidence.from_cosine(mu)
@@ -66,7 +63,15 @@ def largest_error_cosine(interface: Interface) -> Array:
         args=tuple(media),
         tolerances={"xatol": 1e-15, "xrtol": 1e-14},
     )
-    return np.asarray(np.where(root.success, root.x, _SCAN[best]).reshape(shape))
+    return np.where(root.success, root.x, _SCAN[best])
+
+
+def _scan(interface: Interface) -> NDArray[np.intp]:
+    """Index of the scanned cosine, not the first or the last, with Schlick's largest error."""
+    scanned = Incidence.from_cosine(_SCAN)
+    columns = Interface(*(m[..., np.newaxis] for m in _media(interface)))
+    error = schlick_ior(columns, scanned) - lagarde_conductor(columns, scanned)
+    return np.asarray(np.clip(np.argmax(error, axis=-1), 1, _SCAN.size - 2))
 
 
 def solve_alpha(interface: Interface, a: Array) -> Array:
@@ -78,12 +83,16 @@ def solve_alpha(interface: Interface, a: Array) -> Array:
         Of the broadcast shape; NaN where Schlick exceeds the exact R nowhere, or by more than the
         term can with a positive alpha.
     """
-    incidence = Incidence.from_cosine(largest_error_cosine(interface))
-    error = schlick_ior(interface, incidence) - power(interface, incidence).R
-    reach = a * incidence.cos
+    return _alpha_at(interface, a, largest_error_cosine(interface))
+
+
+def _alpha_at(interface: Interface, a: Array, mu: Array) -> Array:
+    """Alpha with which the term equals Schlick's error at the cosine mu, or NaN."""
+    error = schlick_ior(interface, at := Incidence.from_cosine(mu)) - power(interface, at).R
+    reach = a * mu
     possible = (error > 0.0) & (error < reach)
     ratio = np.divide(error, reach, out=np.full(possible.shape, np.nan), where=possible)
-    return np.asarray(np.log(ratio) / np.log1p(-incidence.cos))
+    return np.asarray(np.log(ratio) / np.log1p(-mu))
 
 
 def _media(interface: Interface) -> tuple[Array, Array, Array]:
@@ -96,7 +105,9 @@ def _solve(interface: Interface, a: Array | None, alpha: Array | None) -> Mappin
 
 
 def _outside(interface: Interface) -> str | None:
-    if bool(np.any(np.isnan(solve_alpha(interface, 2.0 * interface.eta)))):
+    # The scan tells as well as the solved angle whether there is an alpha at all.
+    alpha = _alpha_at(interface, 2.0 * interface.eta, _SCAN[_scan(interface)])
+    if bool(np.any(np.isnan(alpha))):
         return "no positive alpha brings the term to Schlick's largest error"
     return None
 

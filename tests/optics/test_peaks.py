@@ -1,0 +1,54 @@
+"""The search for the largest modulus, on curves whose peaks are known."""
+
+import numpy as np
+import pytest
+
+from app.optics.parameters import Array
+from app.optics.peaks import largest
+
+
+@pytest.mark.parametrize("shared", [True, False])
+def test_parabolas(shared: bool) -> None:
+    at, height = np.array([[0.137], [0.5], [0.93]]), np.array([[1.0], [-2.0], [0.5]])
+
+    def curve(x: Array) -> Array:
+        return np.asarray(height * (1.0 - (x - at) ** 2))
+
+    x = np.linspace(0.0, 1.0, 6)
+    nodes = x if shared else np.tile(x, (3, 1))
+    found = largest(curve, nodes, curve(nodes), points=5, rounds=1)
+    np.testing.assert_allclose(found.at, at[:, 0], atol=1e-12)
+    np.testing.assert_allclose(found.value, height[:, 0], rtol=1e-15)
+
+
+@pytest.mark.parametrize(("slope", "end"), [(1.0, 1.0), (-1.0, 0.0)])
+def test_a_peak_at_either_end(slope: float, end: float) -> None:
+    def line(x: Array) -> Array:
+        return np.asarray(2.0 + slope * x)
+
+    x = np.linspace(0.0, 1.0, 5)
+    assert float(largest(line, x, line(x)[np.newaxis], points=7, rounds=3).at[0]) == end
+
+
+def test_a_cusp_is_found_by_the_divisions() -> None:
+    def cusp(x: Array) -> Array:
+        return np.asarray(1.0 - np.sqrt(np.abs(x - 0.3137)))
+
+    x = np.linspace(0.0, 1.0, 5)
+    found = largest(cusp, x, cusp(x)[np.newaxis], points=15, rounds=8)
+    assert float(found.value[0]) == pytest.approx(1.0, abs=1e-3)
+
+
+def test_undefined_samples_count_as_nothing() -> None:
+    def broken(x: Array) -> Array:
+        return np.where(np.abs(x - 0.5) < 0.2, np.nan, x)
+
+    x = np.linspace(0.0, 1.0, 5)
+    found = largest(broken, x, np.nan_to_num(broken(x))[np.newaxis], 5, 2)
+    assert float(found.value[0]) == 1.0
+
+
+def test_an_infinite_error_stays_infinite() -> None:
+    x = np.linspace(0.0, 1.0, 3)
+    found = largest(lambda t: np.full_like(t, np.inf), x, np.full((1, 3), np.inf), 5, 2)
+    assert np.isinf(found.value[0])
