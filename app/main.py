@@ -6,7 +6,7 @@ from fastapi import APIRouter, FastAPI
 from fastapi.middleware.cors import CORSMiddleware
 
 from app import __version__
-from app.api import curves, health, materials, models, problems, snell
+from app.api import albedo, curves, health, materials, models, problems, snell
 from app.optics.registry import Registry, default_registry
 from app.page import Page, SecurityHeaders
 from app.settings import Settings
@@ -45,8 +45,9 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         responses={
             "4XX": {
                 "description": "What is wrong with the request, and what would be right.",
-                "model": problems.Problem,
-                "content": {problems.MEDIA_TYPE: {}},
+                "content": {
+                    problems.MEDIA_TYPE: {"schema": problems.Problem.model_json_schema()}
+                },
             }
         },
     )
@@ -61,7 +62,8 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         models.router(registry),
         snell.router(),
         curves.router(registry),
-        materials.router(),
+        albedo.router(registry),
+        materials.router(registry),
     ]
     for router in routers:
         app.include_router(router, prefix=API_PREFIX)

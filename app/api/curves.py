@@ -36,7 +36,7 @@ from app.optics.snell import penetration_depth_wavelengths, refraction_angle_deg
 _INLINE_VALUES = 20_000
 
 
-class CurvesQuery(InterfaceQuery, SamplesQuery, TableQuery):
+class CurvesQuery(TableQuery, SamplesQuery, InterfaceQuery):
     """Curves over the angle of incidence."""
 
     models: ModelsParameter = "exact"

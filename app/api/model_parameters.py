@@ -105,11 +105,8 @@ def _field(model: Model, parameter: Parameter) -> tuple[Any, Any]:
         schema = WithJsonSchema({"type": "string", "examples": ["0.04", "1.0,0.766,0.336"]})
         kind: Any = Annotated[float | tuple[float, ...] | None, BeforeValidator(_triple), schema]
         return kind, Field(parameter.default, alias=alias, description=description)
-    kind = Count if parameter.integer else Number
-    return (
-        kind if parameter.default is not None else kind | None,
-        number(parameter, alias=alias),
-    )
+    # A default of None is not validated, so that the bounds hold for what is given.
+    return Count if parameter.integer else Number, number(parameter, alias=alias)
 
 
 def _triple(text: object) -> object:

@@ -22,7 +22,7 @@ from app.optics.snell import (
 )
 
 
-class SnellQuery(InterfaceQuery, AngleQuery, DigitsQuery):
+class SnellQuery(DigitsQuery, AngleQuery, InterfaceQuery):
     """One ray."""
 
 

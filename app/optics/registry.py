@@ -61,10 +61,6 @@ class Measured:
     rms: float
 
 
-def _nothing_to_solve(_: Interface, **given: Array | None) -> Mapping[str, Array]:
-    raise NotImplementedError(f"no value from the interface for any of {sorted(given)}")
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Model:
     """One formula for R(theta_i), exact or approximate.
@@ -115,10 +111,16 @@ class Model:
     cost: Cost
     function: Callable[..., Array]
     parameters: tuple[Parameter, ...] = ()
-    solve: Callable[..., Mapping[str, Array]] = _nothing_to_solve
+    solve: Callable[..., Mapping[str, Array]] | None = None
     limits: Callable[[Interface], str | None] = field(default=lambda _: None)
     kinks: Callable[..., Array] | None = None
     measured: tuple[Measured, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Refuse a parameter without a default that nothing solves."""
+        unsolved = [parameter.name for parameter in self.parameters if parameter.default is None]
+        if unsolved and self.solve is None:
+            raise ValueError(f"{self.id}: {unsolved} have neither a default nor a way to be solved")
 
     def __call__(
         self, interface: Interface, incidence: Incidence, **parameters: ArrayLike | None
@@ -157,7 +159,7 @@ class Model:
             name, value = next(iter(parameters.items()))
             raise NotAllowed(f"{self.id}.{name}", value, f"{self.id} has the parameters {own}")
         complete = {name: value for name, value in checked.items() if value is not None}
-        if len(complete) < len(checked):
+        if len(complete) < len(checked) and self.solve is not None:
             with np.errstate(invalid="ignore", divide="ignore"):
                 solved = self.solve(interface, **checked)
             complete |= {name: solved[name] for name in checked if name not in complete}

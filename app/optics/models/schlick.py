@@ -5,7 +5,7 @@ import numpy as np
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Measured, Model
 
 
 def schlick(interface: Interface, incidence: Incidence) -> Array:
@@ -26,6 +26,13 @@ MODEL = Model(
     "angle. Misses the dip of metals before grazing incidence.",
     cost=Cost(add=2, mul=4),
     function=schlick,
+    measured=(
+        Measured(1, 1.333, 0, max_abs=0.0592, at_deg=83.8, rms=0.0246),
+        Measured(1, 1.5, 0, max_abs=0.0357, at_deg=85.0, rms=0.0163),
+        Measured(1, 2.42, 0, max_abs=0.0757, at_deg=84.5, rms=0.0304),
+        Measured(1, 0.27, 2.9, max_abs=0.0182, at_deg=76.3, rms=0.0101),
+        Measured(1, 2.9, 3.0, max_abs=0.175, at_deg=83.0, rms=0.0828),
+    ),
     limits=lambda interface: (
         "n_t < n_i: Schlick's polynomial knows no critical angle"
         if not interface.is_conductor and bool(np.any(interface.eta < 1.0))
