@@ -1,0 +1,88 @@
+"""`/materials`: the list, searched, filtered and paged."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Annotated, Any, Literal
+
+import orjson
+from fastapi import APIRouter, Query, Request
+from pydantic import Field
+from starlette.responses import Response
+
+from app.api.materials.queries import swatch_gamut
+from app.api.materials.schemas import MaterialsOut
+from app.api.params import Count, DigitsQuery
+from app.api.presets import default_catalog
+from app.api.responses import ReadyBody, json_response
+from app.materials import Category, Preset
+from app.optics.color import Gamut, apply_gamut, srgb_hex
+
+
+class ListQuery(DigitsQuery):
+    """Which presets."""
+
+    q: str | None = Field(
+        None,
+        max_length=100,
+        description="Part of a name, an alias, an id or a reference; best matches come first.",
+        examples=["gold"],
+    )
+    category: Category | None = Field(None, description="Only presets of this category.")
+    kind: Literal["spectrum", "single"] | None = Field(
+        None, description="Only measured spectra, or only single indices of tables."
+    )
+    offset: Count = Field(0, ge=0, le=100_000, description="How many to leave out at the start.")
+    limit: Count | None = Field(
+        None, ge=1, le=1000, description="How many to send at most; all unless given."
+    )
+    gamut: Gamut = swatch_gamut("scaled")
+
+
+def swatch(rgb: Any, gamut: Gamut) -> dict[str, Any]:
+    """Write a linear color as sRGB; null where the policy leaves it outside the gamut."""
+    shown = apply_gamut(rgb, gamut)
+    inside = bool(((shown >= 0.0) & (shown <= 1.0)).all())
+    return {"gamut": gamut, "hex": srgb_hex(shown) if inside else None}
+
+
+def row(preset: Preset, gamut: Gamut) -> dict[str, Any]:
+    """Describe a preset as lists do."""
+    return preset.model_dump(mode="json") | {"swatch": swatch(preset.color.F0, gamut)}
+
+
+def listed(query: ListQuery) -> dict[str, Any]:
+    """Answer a query of the list."""
+    catalog = default_catalog()
+    fitting = [
+        preset
+        for preset in catalog.search(query.q, query.category)
+        if query.kind in (None, preset.kind)
+    ]
+    end = None if query.limit is None else query.offset + query.limit
+    suggestions = catalog.nearest(query.q) if query.q and not fitting else ()
+    return {
+        "materials": [row(preset, query.gamut) for preset in fitting[query.offset : end]],
+        "total": len(fitting),
+        "offset": query.offset,
+        "limit": query.limit,
+        "suggestions": list(suggestions),
+        "categories": {name: len(catalog.search(None, name)) for name in catalog.categories},
+        "database": catalog.database.model_dump(mode="json"),
+    }
+
+
+@cache
+def whole_list() -> ReadyBody:
+    """The answer that most clients ask for, made once a process."""
+    return ReadyBody(orjson.dumps(listed(ListQuery())), "application/json")
+
+
+def add_list(routes: APIRouter) -> None:
+    """Add the list to `routes`."""
+
+    @routes.get("/materials", response_model=MaterialsOut, summary="Media and materials by name")
+    async def materials(request: Request, query: Annotated[ListQuery, Query()]) -> Response:
+        if not query.model_fields_set:
+            return whole_list().response(request)
+        return json_response(request, listed(query), query.digits)
