@@ -50,7 +50,7 @@ from app.optics.parameters import THETA_I_DEG, Array
 from app.optics.registry import Model, Registry
 
 
-class AlbedoQuery(InterfaceQuery, TableQuery):
+class AlbedoQuery(TableQuery, InterfaceQuery):
     """Albedo of one interface."""
 
     models: str = Field(
@@ -60,7 +60,7 @@ class AlbedoQuery(InterfaceQuery, TableQuery):
     )
 
 
-class CoatQuery(InterfaceQuery, TableQuery):
+class CoatQuery(TableQuery, InterfaceQuery):
     """A diffuse body under a clear coat of index n_t."""
 
     body_albedo: Number = number(BODY_ALBEDO, examples=[0.5])

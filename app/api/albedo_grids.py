@@ -46,7 +46,7 @@ _INLINE_STEPS = 1000
 Scale = Literal["linear", "log"]
 
 
-class SweepQuery(InterfaceQuery, TableQuery):
+class SweepQuery(TableQuery, InterfaceQuery):
     """Albedos along a line of interfaces."""
 
     over: Literal["n_t", "k_t", "eta"] = Field("n_t", description="What is swept; eta = n_t / n_i.")
