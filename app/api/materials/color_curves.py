@@ -48,7 +48,7 @@ class MaterialCurvesQuery(FrontQuery, RgbQuery, TableQuery):
         None,
         min_length=1,
         max_length=2000,
-        description="Comma-separated wavelengths in nm, within the preset's own range; those of "
+        description="Comma-separated wavelengths in nm, within the presets' own range; those of "
         "400, 500, 600, 700 and 800 that are, unless given.",
         examples=["400,500,600,700,800"],
     )
@@ -60,11 +60,11 @@ class MaterialCurvesQuery(FrontQuery, RgbQuery, TableQuery):
     )
 
 
-def wavelengths_of(spectrum: Spectrum, query: MaterialCurvesQuery) -> Array:
-    """Wavelengths asked for, or those of Shirley's figure that the spectrum covers."""
+def wavelengths_of(spectrum: Spectrum, front: Front, query: MaterialCurvesQuery) -> Array:
+    """Wavelengths asked for, or those of Shirley's figure where both media are known."""
     if query.wavelengths_nm is not None:
         return parse_wavelengths(query.wavelengths_nm)
-    low, high = spectrum.range_nm
+    low, high = front.range_beside(spectrum)
     return np.array([value for value in SHIRLEY_NM if low <= value <= high])
 
 
@@ -109,7 +109,7 @@ def curves_answer(
 ) -> Response:
     """Curves as JSON or CSV."""
     spectrum, front = default_catalog().spectrum(preset.id), query.front()
-    wavelength_nm = wavelengths_of(spectrum, query)
+    wavelength_nm = wavelengths_of(spectrum, front, query)
     refuse_more_than("samples", wavelength_nm.size * query.samples, "values of all curves")
     theta_i_deg = np.linspace(0.0, 90.0, query.samples)
     incidence = Incidence.from_degrees(theta_i_deg)

@@ -65,6 +65,26 @@ class Front:
     preset: Preset | None
     spectrum: Spectrum | None
 
+    def range_beside(self, spectrum: Spectrum) -> tuple[float, float]:
+        """Where this medium and the one behind it are both known.
+
+        Raises
+        ------
+        NotAllowed
+            If nowhere.
+        """
+        low, high = spectrum.range_nm
+        if self.spectrum is None:
+            return low, high
+        own = self.spectrum.range_nm
+        if max(low, own[0]) > min(high, own[1]):
+            raise NotAllowed(
+                "incident",
+                repr(self.spectrum.id),
+                f"a medium known somewhere from {low:.10g} to {high:.10g} nm",
+            )
+        return max(low, own[0]), min(high, own[1])
+
     def at(self, wavelength_nm: Array) -> tuple[Array | float, list[str]]:
         """Return n_i at wavelengths, and what has to be said about it."""
         if self.preset is None or self.spectrum is None:
@@ -155,11 +175,10 @@ def unknown_k(spectrum: Spectrum) -> list[str]:
     return [] if spectrum.k_range_nm is not None else ["k is not known and counts as 0"]
 
 
-def visible_range(spectrum: Spectrum) -> tuple[float, float]:
-    """The part of a spectrum from 380 to 780 nm, or all of it where there is none."""
-    low, high = spectrum.range_nm
-    inside = max(low, 380.0), min(high, 780.0)
-    return inside if inside[0] < inside[1] else (low, high)
+def visible_part(known: tuple[float, float]) -> tuple[float, float]:
+    """The part of a range from 380 to 780 nm, or all of it where there is none."""
+    low, high = max(known[0], 380.0), min(known[1], 780.0)
+    return (low, high) if low < high else known
 
 
 def refuse_more_than(parameter: str, count: int, what: str, most: int = MOST_VALUES) -> None:

@@ -18,7 +18,7 @@ from app.api.materials.queries import (
     found,
     refuse_more_than,
     unknown_k,
-    visible_range,
+    visible_part,
 )
 from app.api.materials.schemas import MapOut, SpectrumOut
 from app.api.params import MAX_SAMPLES, Count, Number, QueryModel, TableQuery, wavelength
@@ -190,7 +190,9 @@ def spectrum_answer(request: Request, preset: Preset, query: SpectrumQuery) -> R
 def map_answer(request: Request, preset: Preset, query: MapQuery) -> Response:
     """Reflectance over angle and wavelength as JSON, or as CSV with a row a cell."""
     spectrum, front = default_catalog().spectrum(preset.id), query.front()
-    low, high = query.range_within(preset.id, spectrum.range_nm, visible_range(spectrum))
+    known = front.range_beside(spectrum)
+    names = preset.id if front.spectrum is None else f"{preset.id} and of {front.spectrum.id}"
+    low, high = query.range_within(names, known, visible_part(known))
     refuse_more_than("steps", query.steps * query.samples, "cells")
     wavelength_nm = np.linspace(low, high, query.steps)
     theta_i_deg = np.linspace(0.0, 90.0, query.samples)

@@ -1,0 +1,286 @@
+"""The routes about materials: list, detail, and what hostile queries get."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+from fastapi import FastAPI
+
+from app.api.materials.schemas import MaterialDetailOut, MaterialsOut
+from app.api.presets import default_catalog
+from app.materials import appearance
+from app.optics.color import decode_srgb
+from app.optics.interface import Interface
+
+Ask = Callable[..., httpx.Response]
+IDS = [preset.id for preset in default_catalog().presets]
+
+CHARTED = {
+    "Ag": (0.989, 0.984, 0.978),
+    "Al": (0.916, 0.923, 0.924),
+    "Au": (1.043, 0.774, 0.335),
+    "Cu": (0.932, 0.623, 0.522),
+    "Fe": (0.575, 0.567, 0.563),
+    "Cr": (0.550, 0.556, 0.554),
+    "Pd": (0.733, 0.697, 0.652),
+    "Hg": (0.781, 0.779, 0.778),
+    "brass": (0.910, 0.778, 0.423),
+    "Si": (0.344, 0.368, 0.425),
+}
+"""Linear sRGB of F0 under D65, unclamped, by an independent integration of the same pages."""
+
+
+def ids(answer: httpx.Response) -> list[str]:
+    return [material["id"] for material in answer.json()["materials"]]
+
+
+# The list
+
+
+def test_the_list_is_whole_and_as_declared(ask: Ask) -> None:
+    answer = ask("/materials").json()
+    MaterialsOut.model_validate(answer)
+    assert [m["id"] for m in answer["materials"]] == IDS
+    assert answer["total"] == len(IDS) == sum(answer["categories"].values())
+    assert (answer["offset"], answer["limit"], answer["suggestions"]) == (0, None, [])
+    for material in answer["materials"]:
+        assert material["source"]
+        assert material["licence"]
+        assert material["swatch"]["gamut"] == "scaled"
+        assert material["swatch"]["hex"].startswith("#")
+
+
+def test_the_ready_list_is_the_one_computed(ask: Ask) -> None:
+    assert ask("/materials").content == ask("/materials", offset=0).content
+
+
+def test_pages_together_are_the_list(ask: Ask) -> None:
+    pages = [ask("/materials", offset=at, limit=50) for at in range(0, len(IDS), 50)]
+    assert [i for page in pages for i in ids(page)] == IDS
+    assert {page.json()["total"] for page in pages} == {len(IDS)}
+    assert ids(ask("/materials", offset=100_000)) == []
+
+
+@pytest.mark.parametrize("query", ["au", "Gold", "aurum", "GOLD", " gold "])
+def test_gold_is_found_first(ask: Ask, query: str) -> None:
+    assert ids(ask("/materials", q=query))[0] == "Au"
+
+
+@pytest.mark.parametrize("typo", ["aurun", "gould", "auruum"])
+def test_gold_is_suggested(ask: Ask, typo: str) -> None:
+    answer = ask("/materials", q=typo).json()
+    assert answer["total"] == 0
+    assert "Au" in answer["suggestions"]
+
+
+def test_filters_meet(ask: Ask) -> None:
+    answer = ask("/materials", category="liquid", kind="spectrum", q="water").json()
+    assert answer["materials"][0]["id"] == "water"
+    for material in answer["materials"]:
+        assert (material["category"], material["kind"]) == ("liquid", "spectrum")
+    assert ask("/materials", kind="single", category="metal").json()["total"] == 0
+
+
+@pytest.mark.parametrize("encoding", ["gzip", "zstd"])
+def test_caches_and_compression(ask: Ask, encoding: str) -> None:
+    answer = ask("/materials", headers={"Accept-Encoding": encoding})
+    assert answer.headers["content-encoding"] == encoding
+    assert answer.json() == ask("/materials", headers={"Accept-Encoding": "identity"}).json()
+    held = {"If-None-Match": answer.headers["etag"]}
+    assert ask("/materials", headers=held).status_code == 304
+
+
+def test_digits(ask: Ask) -> None:
+    row = ask("/materials", q="Au", limit=1, digits=3).json()["materials"][0]
+    assert (row["n"], row["k"]) == (0.224, 2.98)
+
+
+# One material
+
+
+@pytest.mark.parametrize("id", IDS)
+def test_every_preset_has_a_page(ask: Ask, id: str) -> None:  # noqa: A002
+    answer = ask(f"/materials/{id}").json()
+    MaterialDetailOut.model_validate(answer)
+    listed = default_catalog().get(id)
+    assert answer["constants"]["n"] == pytest.approx(listed.n, rel=1e-9)
+    assert answer["constants"]["F0"] == pytest.approx(listed.F0, abs=1e-9)
+    assert answer["color"]["F0"] == pytest.approx(listed.color.F0, abs=1e-6)
+    assert answer["color"]["F82"] == pytest.approx(listed.color.F82, abs=1e-6)
+    assert id in answer["spread"]["ids"]
+    assert (answer["provenance"] is None) == (listed.kind == "single")
+
+
+@pytest.mark.parametrize(("id", "F0"), CHARTED.items())
+def test_colors_of_the_charts(ask: Ask, id: str, F0: tuple[float, ...]) -> None:  # noqa: A002
+    assert ask(f"/materials/{id}").json()["color"]["F0"] == pytest.approx(F0, abs=2e-3)
+
+
+def test_provenance_goes_down_to_the_bytes(ask: Ask) -> None:
+    provenance = ask("/materials/Ag").json()["provenance"]
+    assert provenance["page"] == "main/Ag/Johnson"
+    assert provenance["doi"] == ["10.1103/PhysRevB.6.4370"]
+    assert len(provenance["sha256"]) == 64
+    assert provenance["licence"] == "CC0-1.0"
+
+
+def test_rivals_and_their_spread(ask: Ask) -> None:
+    gold = ask("/materials/Au").json()
+    names = {rival["id"] for rival in gold["rivals"]}
+    assert {"Au-Johnson", "Au-McPeak", "Au-Babar"} <= names
+    bright = [rival["luminance"] for rival in gold["rivals"]] + [gold["color"]["luminance"]]
+    assert gold["spread"]["minimum"] == pytest.approx(min(bright), abs=1e-6)
+    assert gold["spread"]["maximum"] == pytest.approx(max(bright), abs=1e-6)
+    assert "Au" in {rival["id"] for rival in ask("/materials/Au-Johnson").json()["rivals"]}
+
+
+def test_aliases_name_the_same(ask: Ask) -> None:
+    assert ask("/materials/gold").json() == ask("/materials/Au").json()
+
+
+def test_a_wavelength_of_choice(ask: Ask) -> None:
+    constants = ask("/materials/Cu", wavelength_nm=700).json()["constants"]
+    boundary = Interface(1.0, constants["n"], constants["k"])
+    assert constants["wavelength_nm"] == 700.0
+    assert constants["F0"] == pytest.approx(float(boundary.F0), rel=1e-15)
+    assert constants["F0"] > 0.95
+    answer = ask("/materials/Cu", wavelength_nm=2000)
+    assert answer.status_code == 422
+    assert "187.9 to 1937 nm" in answer.json()["detail"]
+
+
+@pytest.mark.parametrize("gamut", ["unclamped", "clamped", "scaled"])
+def test_gamut_policies_of_gold(ask: Ask, gamut: str) -> None:
+    answer = ask("/materials/Au", gamut=gamut).json()
+    raw, shown = np.array(answer["color"]["F0"]), answer["display"]
+    expected = {"unclamped": raw, "clamped": np.clip(raw, 0, 1), "scaled": raw / raw.max()}[gamut]
+    assert shown["F0"] == pytest.approx(expected.tolist(), abs=1e-15)
+    assert shown["in_gamut"] is False
+    assert (shown["hex"] is None) == (gamut == "unclamped")
+    assert answer["swatch"] == {"gamut": gamut, "hex": shown["hex"]}
+    if shown["hex"]:
+        encoded = np.array(list(bytes.fromhex(shown["hex"][1:]))) / 255.0
+        assert np.allclose(decode_srgb(encoded), expected, atol=5e-3)
+
+
+@pytest.mark.parametrize("id", ["Cu", "default-shirley"])
+def test_light_and_observer(ask: Ask, id: str) -> None:  # noqa: A002
+    daylight = np.array(ask(f"/materials/{id}").json()["color"]["F0"])
+    adapted = np.array(ask(f"/materials/{id}", illuminant="E").json()["color"]["F0"])
+    cast = np.array(
+        ask(f"/materials/{id}", illuminant="E", adaptation="none").json()["color"]["F0"]
+    )
+    assert np.allclose(adapted, daylight, atol=0.03)
+    assert abs(cast[0] / daylight[0] - 1.0) > 0.1
+    wide = ask(f"/materials/{id}", observer="cie1964_10deg").json()["color"]
+    assert wide["observer"] == "cie1964_10deg"
+    assert np.allclose(wide["F0"], daylight, atol=0.03)
+
+
+def test_colors_are_those_of_the_core(ask: Ask) -> None:
+    color = appearance(default_catalog().spectrum("Cu"), 1.0, "E", "cie1964_10deg", "none")
+    how = {"illuminant": "E", "observer": "cie1964_10deg", "adaptation": "none"}
+    answer = ask("/materials/Cu", **how).json()["color"]
+    assert answer["F82_tint"] == color.F82_tint.tolist()
+    assert answer["luminance"] == color.luminance
+
+
+# What is refused
+
+MANY = ",".join(map(str, range(300, 400)))
+HOSTILE: list[tuple[str, dict[str, Any]]] = [
+    ("/materials", {"limit": 0}),
+    ("/materials", {"limit": "1e3"}),
+    ("/materials", {"offset": -1}),
+    ("/materials", {"category": "gold"}),
+    ("/materials", {"kind": "both"}),
+    ("/materials", {"q": "x" * 101}),
+    ("/materials", {"page": 2}),
+    ("/materials/nothing", {}),
+    ("/materials/..%2f..%2fetc%2fpasswd", {}),
+    ("/materials/%00", {}),
+    ("/materials/" + "x" * 5000, {}),
+    ("/materials/gold", {"gamut": "bright"}),
+    ("/materials/gold", {"illuminant": "A"}),
+    ("/materials/gold", {"wavelength_nm": "inf"}),
+    ("/materials/gold", {"wavelength_nm": "5e-324"}),
+    ("/materials/water-shirley", {"wavelength_nm": 500}),
+    ("/materials/water-shirley/spectrum", {}),
+    ("/materials/nothing/spectrum", {}),
+    ("/materials/Au/spectrum", {"minimum_nm": 299}),
+    ("/materials/Au/spectrum", {"maximum_nm": 24931}),
+    ("/materials/Au/spectrum", {"minimum_nm": 600, "maximum_nm": 500}),
+    ("/materials/Au/spectrum", {"minimum_nm": "nan"}),
+    ("/materials/Au/spectrum", {"step_nm": 0}),
+    ("/materials/Au/spectrum", {"step_nm": -1}),
+    ("/materials/Au/spectrum", {"step_nm": "5e-324"}),
+    ("/materials/Au/spectrum", {"step_nm": 0.1}),
+    ("/materials/Au/spectrum", {"minimum_nm": 500.01, "maximum_nm": 500.02}),
+    ("/materials/Au/map", {"steps": 20001, "samples": 20001}),
+    ("/materials/Au/map", {"steps": 501, "samples": 500}),
+    ("/materials/Au/map", {"maximum_nm": 24930}),
+    ("/materials/Au/map", {"incident": "Cu"}),
+    ("/materials/Au/map", {"incident": "water-shirley"}),
+    ("/materials/Au/map", {"incident": "water", "n_i": 1.5}),
+    ("/materials/Au/map", {"incident": "glycerol", "minimum_nm": 380}),
+    ("/materials/Au/curves", {"incident": "glycerol", "wavelengths_nm": "390"}),
+    ("/materials/Au/map", {"quantity": "T"}),
+    ("/materials/nothing/map", {}),
+    ("/materials/water-shirley/map", {}),
+    ("/materials/Au/curves", {"wavelengths_nm": ""}),
+    ("/materials/Au/curves", {"wavelengths_nm": "400,,500"}),
+    ("/materials/Au/curves", {"wavelengths_nm": "400,400.0"}),
+    ("/materials/Au/curves", {"wavelengths_nm": "nan"}),
+    ("/materials/Au/curves", {"wavelengths_nm": "1e999"}),
+    ("/materials/Au/curves", {"wavelengths_nm": "4_00"}),
+    ("/materials/Au/curves", {"wavelengths_nm": "red"}),
+    ("/materials/Au/curves", {"wavelengths_nm": "299"}),
+    ("/materials/Au/curves", {"wavelengths_nm": "24930"}),
+    ("/materials/Au/curves", {"wavelengths_nm": MANY, "samples": 20001}),
+    ("/materials/Au/curves", {"samples": 20002}),
+    ("/materials/Au/curves", {"samples": 1}),
+    ("/materials/Au/curves", {"n_i": 0}),
+    ("/materials/Au/curves", {"models": "deon_rg"}),
+    ("/materials/Au/curves", {"models": "nothing"}),
+    ("/materials/Au/curves", {"models": "schlick,schlick"}),
+    ("/materials/Au/curves", {"rgb": "false", "gamut": "clamped"}),
+    ("/materials/Au/curves", {"incident": "gold"}),
+    ("/materials/Au/curves", {"incident": "nothing"}),
+    ("/materials/water-shirley/curves", {}),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("path", "query"), HOSTILE, ids=lambda part: str(part)[:60])
+def test_hostile_queries_are_problems(ask: Ask, path: str, query: dict[str, Any]) -> None:
+    answer = ask(path, **query)
+    assert answer.status_code in (404, 422), answer.text
+    assert answer.headers["content-type"] == "application/problem+json"
+    problem = answer.json()
+    assert problem["status"] == answer.status_code
+    assert problem["detail"]
+    assert "Traceback" not in answer.text
+
+
+def test_an_unknown_id_names_the_nearest(ask: Ask) -> None:
+    for tail in ("", "/spectrum", "/curves", "/map"):
+        answer = ask(f"/materials/goldd{tail}")
+        assert answer.status_code == 404
+        assert "nearest: Au" in answer.json()["errors"][0]["message"]
+
+
+def test_openapi_is_complete(app: FastAPI) -> None:
+    schema = app.openapi()
+    paths = [path for path in schema["paths"] if "/materials" in path]
+    assert len(paths) == 5
+    for path in paths:
+        route = schema["paths"][path]["get"]
+        assert "$ref" in route["responses"]["200"]["content"]["application/json"]["schema"]
+        for parameter in route["parameters"]:
+            if parameter["in"] == "query":
+                assert parameter["description"], (path, parameter["name"])
+            if parameter["name"].endswith("_nm") and parameter["name"] != "wavelengths_nm":
+                assert "nm" in parameter["description"], (path, parameter["name"])

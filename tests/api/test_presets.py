@@ -1,0 +1,130 @@
+"""`material`, `incident` and `wavelength_nm` in place of numbers, on every route with two media."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import httpx
+import pytest
+from fastapi import FastAPI
+
+from app.api.presets import NEGLIGIBLE_K, default_catalog
+from app.api.schemas import InterfaceOut
+
+Ask = Callable[..., httpx.Response]
+PRESETS = ("material", "incident", "wavelength_nm")
+
+
+def refused(answer: httpx.Response, parameter: str) -> str:
+    """The message about a parameter of a 422."""
+    assert answer.status_code == 422, answer.text
+    assert answer.headers["content-type"] == "application/problem+json"
+    messages = {e["parameter"]: e["message"] for e in answer.json()["errors"]}
+    return str(messages[parameter])
+
+
+@pytest.mark.parametrize("id", ["Au", "Cu-McPeak", "BK7", "fused-silica", "water-shirley"])
+@pytest.mark.parametrize("path", ["/snell", "/curves", "/albedo"])
+def test_a_material_stands_for_its_numbers(ask: Ask, path: str, id: str) -> None:  # noqa: A002
+    known = default_catalog().constants(id)
+    named = ask(path, material=id).json()
+    told = ask(path, n_t=known.n, k_t=known.k or 0.0).json()
+    preset = named["interface"].pop("material")
+    assert (preset["id"], preset["n"], preset["k"]) == (id, known.n, known.k)
+    assert preset["wavelength_nm"] == known.wavelength_nm
+    assert preset["source"] == default_catalog().get(id).source
+    assert told["interface"].pop("material") is None
+    assert named == told
+
+
+@pytest.mark.parametrize("path", ["/snell", "/curves", "/albedo"])
+def test_both_media_at_a_wavelength(ask: Ask, path: str) -> None:
+    catalog = default_catalog()
+    water, gold = catalog.constants("water", 500.0), catalog.constants("Au", 500.0)
+    interface = ask(path, incident="water", material="gold", wavelength_nm=500).json()["interface"]
+    InterfaceOut.model_validate(interface)
+    assert (interface["n_i"], interface["n_t"], interface["k_t"]) == (water.n, gold.n, gold.k)
+    assert interface["incident"]["id"] == "water"
+    assert interface["material"]["id"] == "Au"
+    assert interface["incident"]["wavelength_nm"] == interface["material"]["wavelength_nm"] == 500
+
+
+def test_only_the_named_side_is_replaced(ask: Ask) -> None:
+    interface = ask("/snell", incident="water-shirley", n_t=2.0, k_t=0.5).json()["interface"]
+    assert (interface["n_i"], interface["n_t"], interface["k_t"]) == (1.333, 2.0, 0.5)
+    assert interface["material"] is None
+    interface = ask("/snell", material="Au", n_i=1.5).json()["interface"]
+    assert interface["n_i"] == 1.5
+    assert interface["incident"] is None
+
+
+def test_the_default_wavelength_is_587_6_nm(ask: Ask) -> None:
+    assert ask("/snell", material="Cu").json()["interface"]["material"]["wavelength_nm"] == 587.6
+
+
+@pytest.mark.parametrize(
+    ("query", "parameter", "message"),
+    [
+        ({"material": "Au", "n_t": 1.5}, "n_t", "material = Au"),
+        ({"material": "Au", "k_t": 0}, "k_t", "material = Au"),
+        ({"incident": "water", "n_i": 1}, "n_i", "incident = water"),
+        ({"material": "aurun"}, "material", "nearest: Au"),
+        ({"incident": "watr"}, "incident", "nearest: water"),
+        ({"incident": "Au"}, "incident", "transparent"),
+        ({"wavelength_nm": 500}, "wavelength_nm", "no material or incident"),
+        ({"material": "Au", "wavelength_nm": 299.9}, "wavelength_nm", "300 to 24930 nm"),
+        ({"material": "Au", "wavelength_nm": 1e6}, "wavelength_nm", "300 to 24930 nm"),
+        ({"material": "Au", "wavelength_nm": 24930}, "wavelength_nm", "0 to 100"),
+        ({"material": "Au", "wavelength_nm": "nan"}, "wavelength_nm", ""),
+        ({"material": "Au", "wavelength_nm": 0}, "wavelength_nm", "greater than 0"),
+        ({"incident": "water-shirley", "wavelength_nm": 500}, "wavelength_nm", "589 nm"),
+        ({"material": "ice-wloka", "wavelength_nm": 500}, "wavelength_nm", "names none"),
+        ({"material": ""}, "material", ""),
+        ({"material": "x" * 101}, "material", ""),
+    ],
+    ids=str,
+)
+@pytest.mark.parametrize("path", ["/snell", "/curves", "/albedo"])
+def test_refusals(ask: Ask, path: str, query: dict[str, Any], parameter: str, message: str) -> None:
+    assert message in refused(ask(path, **query), parameter)
+
+
+def test_a_k_that_is_not_known_is_said_to_count_as_0(ask: Ask) -> None:
+    interface = ask("/snell", material="diamond").json()["interface"]
+    assert interface["k_t"] == 0.0
+    assert interface["material"]["k"] is None
+    assert interface["material"]["warnings"] == ["k is not known and counts as 0"]
+
+
+def test_a_trace_of_absorption_in_front_is_left_out_and_said(ask: Ask) -> None:
+    k = default_catalog().constants("BK7").k
+    assert k is not None
+    assert 0.0 < k < NEGLIGIBLE_K
+    incident = ask("/snell", incident="BK7").json()["interface"]["incident"]
+    assert incident["k"] == k
+    assert any("left out" in warning for warning in incident["warnings"])
+    material = ask("/snell", material="BK7").json()["interface"]
+    assert material["k_t"] == k
+    assert any("n_t = 1.516" in warning for warning in material["material"]["warnings"])
+
+
+def test_the_middle_of_a_range_is_said(ask: Ask) -> None:
+    warnings = ask("/snell", material="garnet-wloka").json()["interface"]["material"]["warnings"]
+    assert "the source gives n from 1.73 to 1.89; this is the middle" in warnings
+
+
+def test_vacuum_is_1_at_every_wavelength(ask: Ask) -> None:
+    answer = ask("/snell", incident="vacuum-shirley", material="Cu", wavelength_nm=400).json()
+    assert answer["interface"]["n_i"] == 1.0
+    assert answer["interface"]["incident"]["wavelength_nm"] == 400.0
+
+
+def test_every_route_with_two_media_takes_presets(app: FastAPI) -> None:
+    asked = 0
+    for path, methods in app.openapi()["paths"].items():
+        names = {p["name"] for p in methods.get("get", {}).get("parameters", [])}
+        if "n_t" in names:
+            assert names.issuperset(PRESETS), path
+            asked += 1
+    assert asked >= 3
