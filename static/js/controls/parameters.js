@@ -3,7 +3,7 @@
 import { h, setText, symbol } from "../dom.js";
 import { ExpressionError, evaluate } from "../expression.js";
 import { plain } from "../format.js";
-import { stateName } from "../model-parameters.js";
+import { defaultOf, stateName } from "../model-parameters.js";
 import { createChoice } from "./choice.js";
 import { createRow } from "./row.js";
 
@@ -167,11 +167,12 @@ function choiceControl(parameter, onChange) {
 /**
  * @param {object} options
  * @param {Model[]} options.models
+ * @param {() => State} options.state
  * @param {Actions} options.actions
  * @param {string} [options.prefix] of ids
  * @param {(model: Model) => Node} [options.heading]
  */
-export function createParameters({ models, actions, prefix = "", heading }) {
+export function createParameters({ models, state, actions, prefix = "", heading }) {
   const element = h("div", { class: "own-rows" });
   /** @type {Map<string, {box: HTMLElement, controls: Map<string, Control>}>} */
   const made = new Map();
@@ -195,11 +196,16 @@ export function createParameters({ models, actions, prefix = "", heading }) {
       }),
     );
     const box = h(
-      "section",
-      { class: "own", "aria-label": `Parameters of ${model.title}` },
-      h("h3", {}, heading ? heading(model) : model.title),
+      "details",
+      { class: "own" },
+      h("summary", { class: "own-name" }, heading ? heading(model) : model.title),
       ...[...controls.values()].map((c) => c.element),
     );
+    // What a link or an example has set is to be seen.
+    box.open = model.parameters.some((p) => {
+      const value = state()[stateName(model, p)] ?? null;
+      return value !== defaultOf(p);
+    });
     const entry = { box, controls };
     made.set(model.id, entry);
     return entry;
@@ -212,7 +218,10 @@ export function createParameters({ models, actions, prefix = "", heading }) {
       const wanted = models.filter((m) => ids.includes(m.id) && m.parameters.length > 0);
       const entries = wanted.map(controlsOf);
       const boxes = entries.map((e) => e.box);
-      if (boxes.length !== element.children.length || boxes.some((b, i) => element.children[i] !== b))
+      if (
+        boxes.length !== element.children.length ||
+        boxes.some((b, i) => element.children[i] !== b)
+      )
         element.replaceChildren(...boxes);
       for (const { controls } of entries)
         for (const [name, control] of controls) control.update(now[name]);

@@ -1,0 +1,163 @@
+/** The panel of the Compare view: media, indices, models and their parameters. */
+
+import { createChoice } from "../controls/choice.js";
+import { createMedia } from "../controls/media.js";
+import { createParameters } from "../controls/parameters.js";
+import { createRow } from "../controls/row.js";
+import { createSheet } from "../controls/sheet.js";
+import { h, setText } from "../dom.js";
+import { sample } from "../explore/sample.js";
+import { plain } from "../format.js";
+import { modelStyle } from "../palette.js";
+import { createChooser } from "./chooser.js";
+import { shortTitle } from "./traces.js";
+
+/**
+ * @typedef {import('../types.js').Catalog} Catalog
+ * @typedef {import('../types.js').State} State
+ * @typedef {Pick<import('../controls/row.js').RowOptions, 'label' | 'range' | 'wide'>} Manner
+ */
+
+/** The ranges of d'Eon's conductor comparison; "more" goes beyond them. @type {Record<string, Manner>} */
+const MANNERS = {
+  n_i: { label: "incident index", range: [1, 2], wide: [0.1, 10] },
+  n_t: { label: "second index", range: [0.1, 5], wide: [0.1, 10] },
+  k_t: { label: "extinction", range: [0, 5], wide: [0, 20] },
+};
+const STEPS = { step: 0.01, fine: 0.001, page: 0.1 };
+/** A value of one's own is no preset any more. @type {Record<string, string>} */
+const PRESETS = { n_i: "incident", n_t: "material", k_t: "material" };
+
+/**
+ * @param {object} options
+ * @param {Catalog} options.catalog
+ * @param {State} options.presets
+ * @param {() => State} options.state
+ * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
+ * @param {import('../state.js').Field} options.family
+ */
+export function createControls({ catalog, presets, state, actions, family }) {
+  const rows = Object.entries(MANNERS).flatMap(([name, manner]) => {
+    const parameter = catalog.parameters.find((p) => p.name === name);
+    if (!parameter) return [];
+    const row = createRow({
+      parameter,
+      prefix: "compare-",
+      preset: presets[name],
+      ...manner,
+      steps: STEPS,
+      onChange: (value, moving) =>
+        actions.set(
+          { [name]: value, [/** @type {string} */ (PRESETS[name])]: null },
+          { history: moving ? "replace" : "push" },
+        ),
+      onSettle: actions.settle,
+    });
+    return [{ name, symbol: parameter.symbol, row, print: () => plain(state()[name], 4) }];
+  });
+
+  const media = createMedia({
+    materials: catalog.materials,
+    onPick(side, id) {
+      if (catalog.materials.some((m) => m.id === id)) actions.set({ [side]: id });
+    },
+    onSwap() {
+      const { n_i, n_t, incident, material } = state();
+      actions.set({ n_i: n_t, n_t: n_i, incident: material, material: incident });
+    },
+  });
+
+  const members = h("input", {
+    class: "box family",
+    type: "text",
+    autocomplete: "off",
+    spellcheck: "false",
+    placeholder: "such as 1.33, 2.42",
+    id: "compare-family",
+    "aria-describedby": "compare-family-error",
+  });
+  const wrong = h("p", { class: "row-error", id: "compare-family-error", role: "alert" });
+  members.addEventListener("change", () => {
+    try {
+      const text = members.value
+        .replace(/[\s;]+/g, ",")
+        .replace(/,+/g, ",")
+        .replace(/^,|,$/g, "");
+      const values = text === "" ? Object.freeze([]) : family.parse(text);
+      setText(wrong, "");
+      members.removeAttribute("aria-invalid");
+      actions.set({ family: values });
+    } catch (problem) {
+      setText(wrong, `“${members.value}”: ${problem instanceof Error ? problem.message : problem}`);
+      members.setAttribute("aria-invalid", "true");
+    }
+  });
+  const familyBox = h(
+    "div",
+    { class: "family-row" },
+    h("label", { for: "compare-family" }, "also at ", h("var", { class: "symbol" }, "n"), " ="),
+    members,
+    wrong,
+  );
+
+  const angles = createChoice({
+    legend: "Angles",
+    items: [
+      { value: "deg", label: "degrees" },
+      { value: "rad", label: "radians" },
+    ],
+    onChange: ([value]) => actions.set({ angle: value }),
+  });
+
+  const chooser = createChooser({
+    models: catalog.models,
+    chosen: () => state().against,
+    onChange: (ids) => actions.set({ against: Object.freeze(ids) }),
+  });
+  const parameters = createParameters({
+    models: catalog.models,
+    state,
+    actions,
+    prefix: "compare-",
+    heading: (model) =>
+      h(
+        "span",
+        { class: "overlay-name" },
+        sample(modelStyle(catalog.models, model.id)),
+        `${shortTitle(model.title)}: parameters`,
+      ),
+  });
+
+  const body = h(
+    "div",
+    { class: "panel-body" },
+    h("div", { class: "heading" }, h("h2", {}, "Media")),
+    media.element,
+    h("div", { class: "rows" }, ...rows.map((r) => r.row.element)),
+    h("div", { class: "choices" }, familyBox, chooser.element, parameters.element, angles.element),
+  );
+  const sheet = createSheet({ pages: rows, body, first: "n_t" });
+
+  return {
+    element: sheet.element,
+    stop() {
+      for (const { row } of rows) row.stop();
+      parameters.stop();
+    },
+    /** @param {State} now @param {ReadonlyMap<string, string>} reasons why a model is outside its domain here */
+    update(now, reasons) {
+      media.update(/** @type {any} */ (now));
+      /** @type {Record<string, {value: number, label: string}[]>} */
+      const marks = {
+        n_i: [{ value: now.n_t, label: "equal to n_t" }],
+        n_t: [{ value: now.n_i, label: "equal to n_i" }],
+      };
+      for (const { name, row } of rows) row.update(now[name], marks[name] ?? []);
+      sheet.update();
+      if (document.activeElement !== members) members.value = now.family.join(", ");
+      parameters.update(now, now.against);
+      chooser.update(now.against, reasons);
+      angles.update([now.angle]);
+    },
+  };
+}

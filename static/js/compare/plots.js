@@ -1,0 +1,282 @@
+/** The overlaid curves and, below them on the same axis of angles, their errors. */
+
+import { createChoice } from "../controls/choice.js";
+import { h } from "../dom.js";
+import { landmarksOf } from "../explore/reading.js";
+import { inDegrees, inUnit } from "../format.js";
+import { locate, read } from "../interpolate.js";
+import { traceUid } from "../plot/figure.js";
+import { createPlot } from "../plots.js";
+import { curveTraces, errorRange, errorTraces } from "./traces.js";
+
+/**
+ * @typedef {import('../types.js').Model} Model
+ * @typedef {import('../types.js').State} State
+ * @typedef {import('../types.js').Trace} Trace
+ */
+
+const DEGREES = [0, 15, 30, 45, 60, 75, 90];
+const TWELFTHS = ["0", "π/12", "π/6", "π/4", "π/3", "5π/12", "π/2"];
+const LABELS = 46; // px that both plots keep for the labels of their vertical axes
+const RESOLUTION = 0.05; // degrees
+
+/** @param {'deg' | 'rad'} unit */
+function angleAxis(unit) {
+  const rad = unit === "rad";
+  return {
+    title: `angle of incidence θᵢ (${rad ? "rad" : "degrees"})`,
+    range: [0, inUnit(90, unit)],
+    ticks: {
+      values: DEGREES.map((d) => inUnit(d, unit)),
+      text: rad ? TWELFTHS : DEGREES.map((d) => `${d}°`),
+    },
+    unit: rad ? " rad" : "°",
+    column: rad ? "theta_i" : "theta_i_deg",
+  };
+}
+
+/**
+ * @param {object} options
+ * @param {HTMLElement} options.parent in the document, because plots read colours and sizes from it
+ * @param {Model[]} options.models
+ * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
+ * @param {(name: string, blob: Blob) => void} options.save
+ */
+export function createPlots({ parent, models, actions, save }) {
+  /** @type {State | null} */
+  let now = null;
+  /** @param {string} name @param {string} label @param {() => import('../plots.js').Plot} plot */
+  const exports = (name, label, plot) =>
+    h(
+      "p",
+      { class: "exports" },
+      .../** @type {const} */ (["png", "svg", "csv"]).map((kind) =>
+        h(
+          "button",
+          {
+            type: "button",
+            class: "quiet",
+            "aria-label": `Save the ${label} as ${kind.toUpperCase()}`,
+            onclick: async () => save(`${name}.${kind}`, await plot().exportAs(kind)),
+          },
+          kind.toUpperCase(),
+        ),
+      ),
+    );
+  const kind = createChoice({
+    legend: "Error",
+    items: [
+      { value: "signed", label: "absolute", note: "R of the model minus exact R" },
+      { value: "relative", label: "relative", note: "that over the exact R" },
+    ],
+    onChange: ([value]) => actions.set({ error: value }),
+  });
+  kind.element.classList.add("unnamed");
+  const upperHost = h("div", { class: "plot-host upper" });
+  const lowerHost = h("div", { class: "plot-host lower" });
+  const tableHosts = [h("div", { class: "plot-table" }), h("div", { class: "plot-table" })];
+  const dataTable = h(
+    "details",
+    { class: "definitions" },
+    h("summary", {}, "Curves and errors as tables"),
+    ...tableHosts,
+  );
+  const element = h(
+    "section",
+    { class: "column overlaid", "aria-label": "Reflectance and its error" },
+    h(
+      "div",
+      { class: "heading" },
+      h("h2", {}, "Reflectance"),
+      exports("fresnel-compare", "curves", () => upper),
+    ),
+    upperHost,
+    h(
+      "div",
+      { class: "heading error-heading" },
+      h("h2", {}, "Error"),
+      kind.element,
+      exports("fresnel-compare-error", "errors", () => lower),
+    ),
+    lowerHost,
+    dataTable,
+  );
+  parent.append(element);
+
+  /** @param {number} x @param {{settled: boolean}} how */
+  function pick(x, { settled }) {
+    const raw = inDegrees(x, now?.angle ?? "deg");
+    const deg = Math.min(
+      90,
+      Math.max(0, Number((Math.round(raw / RESOLUTION) * RESOLUTION).toFixed(6))),
+    );
+    if (deg !== now?.theta_i_deg) actions.set({ theta_i_deg: deg }, { history: "replace" });
+    if (settled) actions.settle();
+  }
+  const upper = createPlot(upperHost, {
+    name: "Reflectance of the models and exact",
+    x: { ...angleAxis("deg"), title: "" },
+    y: { title: "reflectance", range: [0, 1], labels: LABELS },
+    filename: "fresnel-compare",
+    onPick: pick,
+  });
+  const lower = createPlot(lowerHost, {
+    name: "Error of the models",
+    x: angleAxis("deg"),
+    y: { title: "model − exact", range: null, labels: LABELS },
+    filename: "fresnel-compare-error",
+    onPick: pick,
+  });
+
+  /** @type {Trace[]} */
+  let curves = [];
+  /** @type {Trace[]} */
+  let errors = [];
+  let drawn = { look: "", sources: /** @type {unknown[]} */ ([]), settled: false };
+  /** @type {string | null} */
+  let lit = null;
+
+  /** The members of the family that the server has answered. @param {State} state @param {Record<string, any>} answers */
+  const members = (state, answers) =>
+    state.family.flatMap((/** @type {number} */ n) => {
+      const own = answers[`curves@${n}`];
+      return own ? [{ n, curves: own }] : [];
+    });
+
+  /** Reflectance may leave 0 to 1 where a model does. @param {Trace[]} traces @returns {[number, number]} */
+  function upperRange(traces) {
+    const values = traces.flatMap((t) => t.y.filter((v) => v !== null));
+    return [
+      Math.min(0, Math.floor(10 * Math.min(...values)) / 10),
+      Math.max(1, Math.ceil(10 * Math.max(...values)) / 10),
+    ];
+  }
+
+  function paintLight() {
+    for (const [host, traces] of /** @type {const} */ ([
+      [upperHost, curves],
+      [lowerHost, errors],
+    ])) {
+      traces.forEach((trace, index) => {
+        const group = host.getElementsByClassName(`trace${traceUid(index)}`)[0];
+        if (!(group instanceof SVGElement)) return;
+        const own = lit === null || trace.id.split(/[.@]/)[0] === lit || trace.id === "exact";
+        group.style.opacity = own ? "" : "0.18";
+      });
+    }
+  }
+
+  dataTable.addEventListener("toggle", fillTables);
+  function fillTables() {
+    if (!dataTable.open || !drawn.settled) return;
+    tableHosts[0]?.replaceChildren(upper.table());
+    tableHosts[1]?.replaceChildren(lower.table());
+  }
+
+  return {
+    /** @param {State} state @param {Record<string, any>} answers @param {boolean} moving */
+    update(state, answers, moving) {
+      now = state;
+      kind.update([state.error]);
+      if (!answers.curves) return;
+      const look = JSON.stringify([state.angle, state.error, state.against, state.family]);
+      const family = members(state, answers);
+      const sources = [answers.curves, ...family.map((/** @type {any} */ m) => m.curves)];
+      const same =
+        look === drawn.look &&
+        sources.length === drawn.sources.length &&
+        sources.every((s, i) => s === drawn.sources[i]);
+      if (!same || (!drawn.settled && !moving)) {
+        const relative = state.error === "relative";
+        curves = curveTraces(
+          answers.curves,
+          state.against,
+          models,
+          (d) => inUnit(d, state.angle),
+          family,
+        );
+        const plain = errorTraces(curves, relative);
+        errors = relative
+          ? plain.map((t) => ({
+              ...t,
+              unit: " %",
+              y: t.y.map((v) => (v === null ? null : 100 * v)),
+            }))
+          : plain;
+        const marks = landmarksOf(answers.curves.interface)
+          .filter(
+            (m) =>
+              m.label === "critical" || m.label === "Brewster" || m.label === "pseudo-Brewster",
+          )
+          .map((m) => ({
+            x: inUnit(m.deg, state.angle),
+            label: m.label,
+            kind: /** @type {const} */ ("landmark"),
+          }));
+        if (moving && look === drawn.look) {
+          upper.fast(curves, marks);
+          lower.fast(
+            errors,
+            marks.map((m) => ({ ...m, label: "" })),
+          );
+        } else {
+          upper.axes({
+            x: { ...angleAxis(state.angle), title: "" },
+            y: { title: "reflectance", range: upperRange(curves), labels: LABELS },
+          });
+          lower.axes({
+            x: angleAxis(state.angle),
+            y: {
+              title: relative ? "(model − exact) / exact (%)" : "model − exact",
+              range: errorRange(errors),
+              labels: LABELS,
+            },
+          });
+          void upper.draw(curves, marks);
+          void lower.draw(errors);
+        }
+        drawn = { look, sources, settled: !moving };
+        paintLight();
+        fillTables();
+      }
+      const x = inUnit(state.theta_i_deg, state.angle);
+      /** @param {Trace[]} traces */
+      const points = (traces) => traces.map((t) => ({ id: t.id, y: read(t.y, locate(t.x, x)) }));
+      upper.marker(x, points(curves));
+      lower.marker(x, points(errors.filter((t) => t.id !== "exact")));
+    },
+    /**
+     * Signed errors of the models at an angle, from the curves.
+     * @param {number} theta_i_deg
+     * @returns {Map<string, number | null>}
+     */
+    reading(theta_i_deg) {
+      const exact = curves.find((t) => t.id === "exact");
+      if (!exact || !now) return new Map();
+      const place = locate(exact.x, inUnit(theta_i_deg, now.angle));
+      const right = read(exact.y, place);
+      return new Map(
+        curves
+          .filter((t) => t.id !== "exact" && !t.id.includes("@"))
+          .map((t) => {
+            const value = read(t.y, place);
+            return [t.id, value === null || right === null ? null : value - right];
+          }),
+      );
+    },
+    /** @param {string | null} id of the model whose curve stands out */
+    light(id) {
+      if (id === lit) return;
+      lit = id;
+      paintLight();
+    },
+    theme() {
+      upper.theme();
+      lower.theme();
+    },
+    destroy() {
+      upper.destroy();
+      lower.destroy();
+    },
+  };
+}

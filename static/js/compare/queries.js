@@ -1,0 +1,121 @@
+/** What the Compare view asks the server for. */
+
+import { parameterQuery } from "../model-parameters.js";
+import { focused, isMap, isPointwise, ranges } from "./fields.js";
+
+/**
+ * @typedef {import('../types.js').Catalog} Catalog
+ * @typedef {import('../types.js').State} State
+ */
+
+/** Enough for a smooth line, and steps of 0.01 over two units of n. */
+const SWEEP_STEPS = 201;
+/** Cells of a map; a degree is two cells. */
+const MAP_CELLS = { theta: 181, n: 121, wide: 121, k: 101 };
+/** A cell's color needs no more. */
+const MAP_DIGITS = 4;
+
+/** @param {State} state @param {Catalog} catalog @param {string[]} [without] @returns {string[]} */
+function mediaQuery(state, { parameters }, without = []) {
+  return ["n_i", "n_t", "k_t"]
+    .filter((name) => !without.includes(name))
+    .filter((name) => state[name] !== parameters.find((p) => p.name === name)?.default)
+    .map((name) => `${name}=${state[name]}`);
+}
+
+/** @param {string} route @param {string[]} parts */
+const path = (route, parts) => `${route}?${parts.filter(Boolean).join("&")}`;
+
+/** @param {State} state @param {Catalog} catalog @param {number} [n] of another member of the family */
+function curvesPath(state, catalog, n) {
+  const here = n === undefined ? state : { ...state, n_t: n };
+  return path("/curves", [
+    ...mediaQuery(here, catalog),
+    state.against.length ? `models=exact,${state.against.join(",")}` : "",
+    ...parameterQuery(state, catalog.models, state.against),
+    "landmarks=true",
+  ]);
+}
+
+/** @param {State} state @param {Catalog} catalog @param {number} [n] */
+function errorsPath(state, catalog, n) {
+  const here = n === undefined ? state : { ...state, n_t: n };
+  return path("/errors", [
+    ...mediaQuery(here, catalog),
+    `models=${state.against.join(",")}`,
+    ...parameterQuery(state, catalog.models, state.against),
+  ]);
+}
+
+/** @param {State} state @param {Catalog} catalog @param {string} model */
+export function sweepPath(state, catalog, model) {
+  const over = state.over === "k" ? "k_t" : "n_t";
+  const [low, high] = ranges(state)[over === "k_t" ? "k" : "n"];
+  return path("/errors/sweep", [
+    `model=${model}`,
+    `over=${over}`,
+    `minimum=${low}`,
+    `maximum=${high}`,
+    `steps=${SWEEP_STEPS}`,
+    ...mediaQuery(state, catalog, [over]),
+    ...parameterQuery(state, catalog.models, [model]),
+  ]);
+}
+
+/** @param {State} state @param {Catalog} catalog */
+export function mapPath(state, catalog) {
+  const model = focused(state);
+  const { n, k } = ranges(state);
+  const pointwise = isPointwise(state.over);
+  const x = pointwise ? ["theta_i_deg", 0, 90, MAP_CELLS.theta] : ["n_t", ...n, MAP_CELLS.wide];
+  const y = pointwise ? ["n_t", ...n, MAP_CELLS.n] : ["k_t", ...k, MAP_CELLS.k];
+  return path("/errors/map", [
+    `model=${model}`,
+    `x=${x.join(",")}`,
+    `y=${y.join(",")}`,
+    `metric=${pointwise ? state.point : state.metric}`,
+    `digits=${MAP_DIGITS}`,
+    ...mediaQuery(state, catalog, pointwise ? ["n_t"] : ["n_t", "k_t"]),
+    ...parameterQuery(state, catalog.models, [model]),
+  ]);
+}
+
+/** @param {State} state @param {Catalog} catalog */
+export function recommendPath(state, catalog) {
+  return path("/recommend", [
+    ...mediaQuery(state, catalog),
+    `max_error=${state.budget}`,
+    `metric=${state.within}`,
+  ]);
+}
+
+/**
+ * Paths by name, in the order of their importance. While something moves only the curves are asked
+ * for; the rest follows when it stands still.
+ * @param {State} state
+ * @param {Catalog} catalog
+ * @param {boolean} [moving]
+ * @returns {Record<string, string>}
+ */
+export function queries(state, catalog, moving = false) {
+  /** @type {Record<string, string>} */
+  const wanted = { curves: curvesPath(state, catalog) };
+  for (const n of state.family) wanted[`curves@${n}`] = curvesPath(state, catalog, n);
+  if (moving) return wanted;
+  if (state.against.length) {
+    wanted.errors = errorsPath(state, catalog);
+    for (const n of state.family) wanted[`errors@${n}`] = errorsPath(state, catalog, n);
+  }
+  if (isMap(state.over)) wanted.map = mapPath(state, catalog);
+  else for (const id of state.against) wanted[`sweep:${id}`] = sweepPath(state, catalog, id);
+  wanted.recommend = recommendPath(state, catalog);
+  return wanted;
+}
+
+/** @param {State} state @param {Catalog} catalog @returns {string[]} */
+export function restCalls(state, catalog) {
+  const { curves, errors, map, recommend } = queries(state, catalog);
+  const sweep =
+    state.against.length && !isMap(state.over) ? sweepPath(state, catalog, focused(state)) : null;
+  return [curves, errors, map ?? sweep, recommend].filter((p) => p !== undefined && p !== null);
+}

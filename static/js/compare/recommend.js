@@ -1,0 +1,162 @@
+/** Which model will do: those that stay within an error budget, the cheapest first. */
+
+import { h, setText } from "../dom.js";
+import { sample } from "../explore/sample.js";
+import { evaluate } from "../expression.js";
+import { plain } from "../format.js";
+import { modelStyle } from "../palette.js";
+import { METRICS } from "./figure.js";
+import { printCost, sayCost, short } from "./metrics.js";
+
+/**
+ * @typedef {import('../types.js').Model} Model
+ * @typedef {import('../types.js').State} State
+ */
+
+const BUDGETS = [0.05, 0.02, 0.005, 0.001];
+const WITHIN = ["max_abs", "rms", "cosine_weighted_mean"];
+
+/**
+ * @param {object} options
+ * @param {Model[]} options.models
+ * @param {() => State} options.state
+ * @param {{set: (patch: State) => void}} options.actions
+ */
+export function createRecommend({ models, state, actions }) {
+  const box = h("input", {
+    class: "box bound",
+    type: "text",
+    autocomplete: "off",
+    spellcheck: "false",
+    "aria-label": "Error budget",
+    "aria-describedby": "budget-error",
+  });
+  const wrong = h("p", { class: "row-error", id: "budget-error", role: "alert" });
+  box.addEventListener("change", () => {
+    try {
+      const value = evaluate(box.value);
+      if (value < 0 || value > 1) throw new Error("allowed is 0 to 1");
+      setText(wrong, "");
+      actions.set({ budget: value });
+    } catch (problem) {
+      setText(wrong, `“${box.value}”: ${problem instanceof Error ? problem.message : problem}`);
+    }
+  });
+  const quick = BUDGETS.map((value) =>
+    h(
+      "button",
+      {
+        type: "button",
+        class: "mini",
+        "data-budget": value,
+        onclick: () => actions.set({ budget: value }),
+      },
+      plain(value),
+    ),
+  );
+  const within = h(
+    "select",
+    {
+      class: "preset",
+      "aria-label": "Measure of the error",
+      onchange: () => actions.set({ within: within.value }),
+    },
+    ...WITHIN.map((value) => h("option", { value }, METRICS[value] ?? value)),
+  );
+  const answer = h("ol", { class: "picks" });
+  const refused = h("ul", { class: "refused" });
+  const summary = h("summary", {});
+  const rest = h("details", { class: "definitions" }, summary, refused);
+  const note = h("p", { class: "reason" });
+  const element = h(
+    "section",
+    { class: "column recommend", "aria-label": "Which will do?" },
+    h("div", { class: "heading" }, h("h2", {}, "Which will do?")),
+    h(
+      "div",
+      { class: "budget" },
+      h("span", { class: "picker" }, within),
+      h("span", {}, "≤"),
+      box,
+      h("span", { class: "quick" }, ...quick),
+    ),
+    wrong,
+    note,
+    answer,
+    rest,
+  );
+
+  /** @param {string} id */
+  const toggle = (id) => {
+    const { against } = state();
+    actions.set({
+      against: Object.freeze(
+        against.includes(id)
+          ? against.filter((/** @type {string} */ other) => other !== id)
+          : [...against, id],
+      ),
+    });
+  };
+
+  /** @param {any} entry @param {State} now */
+  function pick(entry, now) {
+    const id = entry.model;
+    const model = models.find((m) => m.id === id);
+    const cost = /** @type {Record<string, number>} */ (model?.cost ?? {});
+    const on = now.against.includes(id);
+    return h(
+      "li",
+      {},
+      h(
+        "button",
+        { type: "button", class: "pick", "aria-pressed": String(on), onclick: () => toggle(id) },
+        sample(modelStyle(models, id)),
+        h("span", { class: "pick-name" }, model?.title ?? id),
+      ),
+      h("span", { class: "pick-error" }, short(Math.abs(entry[now.within] ?? Number.NaN))),
+      h("span", { class: "pick-cost", title: sayCost(cost) }, printCost(cost)),
+    );
+  }
+
+  /** @type {unknown} */
+  let last = null;
+  let look = "";
+  return {
+    element,
+    /** @param {State} now @param {any} given of /recommend @param {{title: string, lines: string[]} | undefined} problem */
+    update(now, given, problem) {
+      if (document.activeElement !== box) box.value = plain(now.budget);
+      within.value = now.within;
+      for (const button of quick)
+        button.setAttribute("aria-pressed", String(Number(button.dataset.budget) === now.budget));
+      setText(note, problem ? [problem.title, ...problem.lines].join(" · ") : "");
+      const shown = JSON.stringify([now.against, now.within]);
+      if (!given || (given === last && shown === look)) return;
+      last = given;
+      look = shown;
+      /** @type {any[]} */
+      const good = given.recommended ?? [];
+      /** @type {any[]} */
+      const bad = given.refused ?? [];
+      answer.replaceChildren(...good.map((entry) => pick(entry, now)));
+      if (good.length === 0)
+        answer.append(h("li", { class: "none" }, "No model stays within that."));
+      setText(summary, `${bad.length} refused, and why`);
+      rest.hidden = bad.length === 0;
+      refused.replaceChildren(
+        ...bad.map((entry) =>
+          h(
+            "li",
+            {},
+            h(
+              "b",
+              { class: "refused-name" },
+              models.find((m) => m.id === entry.model)?.title ?? entry.model,
+            ),
+            ` ${entry.reason}`,
+          ),
+        ),
+      );
+    },
+  };
+}

@@ -1,0 +1,143 @@
+/** Compare: exact against the models, how wrong each is and where, and which will do. */
+
+import { rowsOf } from "../compare/answers.js";
+import { createControls } from "../compare/controls.js";
+import { createExamples } from "../compare/examples.js";
+import { compareFields, focused } from "../compare/fields.js";
+import { createFigure } from "../compare/figure.js";
+import { short } from "../compare/metrics.js";
+import { createPlots } from "../compare/plots.js";
+import { createRecommend } from "../compare/recommend.js";
+import { createTable } from "../compare/table.js";
+import { h } from "../dom.js";
+import { createDefinitions } from "../explore/definitions.js";
+import { angle } from "../format.js";
+import { loadStyle } from "../style.js";
+
+export { queries, restCalls } from "../compare/queries.js";
+export const fields = compareFields;
+
+/**
+ * @typedef {import('../types.js').State} State
+ * @typedef {import('../types.js').ViewContext} ViewContext
+ */
+
+await Promise.all(
+  ["compare", "compare-errors", "heatmap", "parameters"].map((name) =>
+    loadStyle(`css/${name}.css`),
+  ),
+);
+
+/** @param {ViewContext} context */
+export function createView({ element, catalog, presets, state, actions, say, save, typeset }) {
+  const { models } = catalog;
+  const controls = createControls({
+    catalog,
+    presets,
+    state,
+    actions,
+    family: /** @type {import('../state.js').Field} */ (compareFields(catalog).family),
+  });
+  const examples = createExamples({ presets, actions });
+  element.append(controls.element, examples.element);
+  const plots = createPlots({ parent: element, models, actions, save });
+  const figure = createFigure({ parent: element, catalog, actions, save });
+  const recommend = createRecommend({ models, state, actions });
+  const definitions = createDefinitions(models, typeset);
+  const table = createTable({
+    models,
+    say,
+    onSort: (by, order) => actions.set({ sort: by, order }),
+    onLight: plots.light,
+    onFocus: (model) => actions.set({ focus: model }),
+  });
+
+  element.append(
+    h(
+      "section",
+      { class: "column metrics", "aria-label": "Errors" },
+      h("div", { class: "heading" }, h("h2", {}, "Errors"), table.copy),
+      table.element,
+      definitions.element,
+    ),
+    recommend.element,
+  );
+
+  /** @type {Record<string, {title: string, lines: string[]}>} what went wrong, by the query's name */
+  const problems = {};
+  /** @type {Record<string, any>} */
+  let before = {};
+
+  return {
+    /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
+    update(now, answers, moving) {
+      for (const name of Object.keys(problems))
+        if (answers[name] !== before[name]) delete problems[name];
+      before = answers;
+      const { curves, errors } = answers;
+      const reasons = new Map(
+        (curves?.curves ?? []).flatMap((/** @type {import('../types.js').Curve} */ c) =>
+          c.reason && c.model !== "exact" ? [[c.model, c.reason]] : [],
+        ),
+      );
+      controls.update(now, reasons);
+      definitions.update(now.against);
+      const stale = moving || !answers.errors || !isOf(errors.interface, now);
+      examples.update(now, answers, !stale);
+      plots.update(now, answers, moving);
+      const here = plots.reading(now.theta_i_deg);
+      table.update(
+        now.against.length ? rowsOf(errors).filter((r) => now.against.includes(r.model)) : [],
+        {
+          by: now.sort,
+          order: now.order,
+          focus: focused(now),
+          unit: now.angle,
+          here: (id) => short(here.get(id) ?? null),
+          at: angle(now.theta_i_deg, now.angle, now.angle === "deg" ? 1 : 3),
+        },
+        stale && now.against.length > 0,
+      );
+      if (!moving) {
+        figure.update(now, answers);
+        recommend.update(now, answers.recommend, problems.recommend);
+      }
+    },
+
+    /** @param {State} now @param {Record<string, any>} answers */
+    sentence(now, answers) {
+      const rows = rowsOf(answers.errors).filter((r) => now.against.includes(r.model));
+      const titles = new Map(models.map((m) => [m.id, m.title]));
+      return rows
+        .map(
+          (r) =>
+            `${titles.get(r.model)}: largest error ${short(r.max_abs)} at ${angle(r.max_abs_at_deg, now.angle)}.`,
+        )
+        .join(" ");
+    },
+
+    /** @param {string} name @param {{title: string, lines: string[]}} problem */
+    problem(name, problem) {
+      if (name !== "recommend" && name !== "convert") return false;
+      problems[name] = problem;
+      if (name === "recommend") recommend.update(state(), before.recommend, problem);
+      return true;
+    },
+
+    theme() {
+      plots.theme();
+      figure.theme();
+    },
+    deactivate: () => controls.stop(),
+    destroy() {
+      controls.stop();
+      plots.destroy();
+      figure.destroy();
+    },
+  };
+}
+
+/** @param {{n_i: number, n_t: number, k_t: number} | undefined} media @param {State} now */
+function isOf(media, now) {
+  return media?.n_i === now.n_i && media?.n_t === now.n_t && media?.k_t === now.k_t;
+}
