@@ -45,9 +45,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         responses={
             "4XX": {
                 "description": "What is wrong with the request, and what would be right.",
-                "content": {
-                    problems.MEDIA_TYPE: {"schema": problems.Problem.model_json_schema()}
-                },
+                "content": {problems.MEDIA_TYPE: {"schema": problems.Problem.model_json_schema()}},
             }
         },
     )
@@ -57,11 +55,11 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         CORSMiddleware, allow_origins=["*"], allow_methods=["GET"], expose_headers=["ETag"]
     )
     app.add_middleware(SecurityHeaders)
-    routers: list[APIRouter] = [
+    routers: list[APIRouter] = [  # what is asked most often first: routes are tried in order
+        curves.router(registry),
+        snell.router(),
         health.router(),
         models.router(registry),
-        snell.router(),
-        curves.router(registry),
         albedo.router(registry),
         materials.router(registry),
     ]

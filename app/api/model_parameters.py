@@ -72,7 +72,10 @@ def refuse_foreign_parameters(
     BadParameters
         If there is one.
     """
-    asked = {model.id for model in models}
+    own = {_field_name(model, p) for model in models for p in model.parameters}
+    foreign = {name for name in query.model_fields_set if "__" in name} - own
+    if not foreign:
+        return
     errors: list[ParameterError] = [
         {
             "parameter": f"{model.id}.{p.name}",
@@ -80,12 +83,10 @@ def refuse_foreign_parameters(
             "message": f"given although {model.id} is not among the models asked for",
         }
         for model in registry.values()
-        if model.id not in asked
         for p in model.parameters
-        if _field_name(model, p) in query.model_fields_set
+        if _field_name(model, p) in foreign
     ]
-    if errors:
-        raise BadParameters(*errors)
+    raise BadParameters(*errors)
 
 
 def _field_name(model: Model, parameter: Parameter) -> str:
