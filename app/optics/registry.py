@@ -137,7 +137,7 @@ class Model:
         return self.evaluate(interface, incidence, self.arguments(interface, **parameters))
 
     def arguments(self, interface: Interface, **parameters: ArrayLike | None) -> dict[str, Array]:
-        """Values of all the model's parameters, those left out or None solved from the interface.
+        """Values of all the model's parameters, with a default or solved where left out or None.
 
         Raises
         ------
@@ -148,7 +148,8 @@ class Model:
         """
         checked: dict[str, Array | None] = {}
         for parameter in self.parameters:
-            value = parameters.pop(parameter.name, parameter.default)
+            given = parameters.pop(parameter.name, None)
+            value = parameter.default if given is None else given
             try:
                 checked[parameter.name] = None if value is None else parameter.check(value)
             except OutOfRange as error:

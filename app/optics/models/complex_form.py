@@ -29,7 +29,7 @@ MODEL = Model(
     reference="S. Lagarde, Memo on Fresnel equations (2013), after K. Möller, Optics; sign of k for "
     "the time factor exp(-i w t)",
     validity="Exact for conductors and dielectrics, total internal reflection included; loses digits "
-    "as N approaches n_i.",
+    "as N approaches n_i, and is 0/0 for N = n_i at 90 degrees.",
     cost=Cost(add=15, mul=25, div=2, sqrt=3),
     function=complex_form,
 )

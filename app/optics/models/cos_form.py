@@ -27,7 +27,7 @@ MODEL = Model(
     r"\right)^2",
     reference="P. Shirley, Fresnel Equations, Schlick Approximation, Metals, and Dielectrics (2020)",
     validity="Exact for dielectrics below the critical angle, undefined beyond it; loses digits as "
-    "n_t approaches n_i.",
+    "n_t approaches n_i, and is 0/0 for n_t = n_i at 90 degrees.",
     cost=Cost(add=7, mul=11, div=2, sqrt=1),
     function=cos_form,
 )

@@ -33,7 +33,7 @@ MODEL = Model(
     reference="E. d'Eon, Fresnel Boundaries, notebook to A Hitchhiker's Guide to Multiple Scattering "
     "(2019), evalF",
     validity="Exact for dielectrics, total internal reflection included; loses digits as eta "
-    "approaches 1.",
+    "approaches 1, and is 0/0 for eta = 1 at 90 degrees.",
     cost=Cost(add=8, mul=10, div=2, sqrt=1),
     function=deon_gc,
 )

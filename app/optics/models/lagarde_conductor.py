@@ -34,7 +34,7 @@ MODEL = Model(
     r"{\mu^2 m+\sin^4\theta+2a\mu\sin^2\theta},\quad m=a^2+b^2",
     reference="S. Lagarde, Memo on Fresnel equations (2013), dielectric-conductor interface",
     validity="Exact for conductors and dielectrics; loses digits where R is small, as near eta = 1 "
-    "without absorption.",
+    "without absorption, and is 0/0 for eta = 1 at 90 degrees.",
     cost=Cost(add=11, mul=14, div=2, sqrt=2),
     function=lagarde_conductor,
 )

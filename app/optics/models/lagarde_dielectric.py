@@ -27,7 +27,7 @@ MODEL = Model(
     r"t=\sqrt{1-\frac{1-\mu^2}{\eta^2}}",
     reference="S. Lagarde, Memo on Fresnel equations (2013), dielectric-dielectric interface",
     validity="Exact for dielectrics below the critical angle, undefined beyond it; loses digits as "
-    "eta approaches 1.",
+    "eta approaches 1, and is 0/0 for eta = 1 at 90 degrees.",
     cost=Cost(add=7, mul=7, div=3, sqrt=1),
     function=lagarde_dielectric,
 )

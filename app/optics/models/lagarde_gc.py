@@ -27,7 +27,7 @@ MODEL = Model(
     r"g=\sqrt{\eta^2+c^2-1},\quad R=1\ \text{for}\ g^2<0",
     reference="S. Lagarde, Memo on Fresnel equations (2013), after R. Cook and K. Torrance (1982)",
     validity="Exact for dielectrics, total internal reflection included; loses digits as eta "
-    "approaches 1.",
+    "approaches 1, and is 0/0 for eta = 1 at 90 degrees.",
     cost=Cost(add=8, mul=8, div=2, sqrt=1),
     function=lagarde_gc,
 )

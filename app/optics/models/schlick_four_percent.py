@@ -26,7 +26,7 @@ MODEL = Model(
     kind="approximation",
     applies_to=("dielectric", "conductor"),
     latex=r"R\approx 0.04+0.96\,(1-\mu)^5",
-    reference="default of metallic-roughness materials, as in the glTF 2.0 specification, appendix B",
+    reference="Khronos Group, glTF 2.0 Specification (2021), appendix B: metallic-roughness materials",
     validity="Right for n_t = 1.5 in air alone; water has half of it, diamond four times as much.",
     cost=Cost(add=2, mul=4),
     function=schlick_four_percent,

@@ -28,7 +28,7 @@ MODEL = Model(
     r"\rho=\frac{n_i}{n_t},\quad c=\rho\cos\theta_i,\quad g=\sqrt{1+c^2-\rho^2}",
     reference="M. Wloka, Fresnel Reflection, NVIDIA technical report (2002), equations 7 to 9",
     validity="Exact for dielectrics below the critical angle, undefined beyond it; loses digits as "
-    "n_t approaches n_i.",
+    "n_t approaches n_i, and is 0/0 for n_t = n_i at 90 degrees.",
     cost=Cost(add=8, mul=10, div=2, sqrt=1),
     function=wloka_gc,
 )
