@@ -1,0 +1,141 @@
+"""`/errors`: how wrong models are at one interface."""
+
+# No `from __future__ import annotations` here: the query's type is made from the registry at run
+# time, and FastAPI could not look up its name.
+
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from fastapi import APIRouter, Query, Request
+from pydantic import Field
+from starlette.concurrency import run_in_threadpool
+from starlette.responses import Response
+
+from app.api import error_grids
+from app.api.curves import sampled_angles
+from app.api.error_schemas import MEASURE, ErrorsOut, figures_json
+from app.api.model_parameters import (
+    ModelsParameter,
+    model_arguments,
+    parse_models,
+    refuse_foreign_parameters,
+    with_model_parameters,
+)
+from app.api.params import InterfaceQuery, SamplesQuery, TableQuery
+from app.api.responses import CONVENTION, csv_response, interface_json, json_response
+from app.api.route import QueryRoute
+from app.api.row_table import rows_csv_response
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.metrics import METRICS, measure, point_error
+from app.optics.parameters import Array
+from app.optics.registry import Model, Registry
+
+COLUMNS = ["model", "quantity", "in_domain", "reason", *METRICS, "albedo_error"]
+
+_COLORS = ("R_red", "R_green", "R_blue")
+
+
+class ErrorsQuery(InterfaceQuery, SamplesQuery, TableQuery):
+    """Errors of models at one interface."""
+
+    models: ModelsParameter = "schlick"
+    relative: bool = Field(False, description="Add the relative error over the angle.")
+    table: Literal["metrics", "curves"] = Field(
+        "metrics", description="What CSV holds: a row a model, or the error over the angle."
+    )
+
+
+def model_errors(
+    model: Model,
+    interface: Interface,
+    incidence: Incidence,
+    arguments: Mapping[str, Array],
+    relative: bool,
+) -> list[dict[str, Any]]:
+    """Describe the errors of a model, one row or, for a triple, three."""
+    reason = model.reason_outside(interface)
+    metrics = measure(model, interface, arguments)
+    curves = {"error": point_error(model, interface, incidence, arguments)}
+    if relative:
+        curves["relative_error"] = point_error(model, interface, incidence, arguments, "relative")
+    triple = metrics["rms"].ndim > 0
+    rows = []
+    for channel, quantity in enumerate(_COLORS if triple else ("R",)):
+
+        def of(values: Array, channel: int = channel) -> float:
+            return float(values.ravel()[channel if values.size > 1 else 0])
+
+        rows.append(
+            {
+                "model": model.id,
+                "title": model.title,
+                "quantity": quantity,
+                "in_domain": reason is None,
+                "reason": reason,
+                "parameters": {name: of(value) for name, value in arguments.items()},
+                **figures_json({name: of(values) for name, values in metrics.items()}),
+                **{
+                    name: np.ascontiguousarray(np.atleast_2d(curve)[channel])
+                    for name, curve in curves.items()
+                },
+            }
+        )
+    return rows
+
+
+def router(registry: Registry) -> APIRouter:
+    """Routes over the models of `registry`."""
+    routes = APIRouter(route_class=QueryRoute, tags=["errors"])
+    Query_ = with_model_parameters(ErrorsQuery, registry)
+
+    def respond(
+        request: Request, query: ErrorsQuery, models: list[Model], interface: Interface
+    ) -> Response:
+        theta_i_deg = sampled_angles(interface, query.samples, query.landmarks)
+        incidence = Incidence.from_degrees(theta_i_deg)
+        rows = [
+            row
+            for model in models
+            for row in model_errors(
+                model,
+                interface,
+                incidence,
+                model.arguments(interface, **model_arguments(query, model)),
+                query.relative,
+            )
+        ]
+        rows.sort(key=lambda row: (np.isnan(row["rms"]), row["rms"], row["model"]))
+        if query.format == "csv" and query.table == "curves":
+            columns = {
+                f"{row['model']}.{row['quantity']}.{name}": row[name]
+                for row in rows
+                for name in ("error", "relative_error")
+                if name in row
+            }
+            columns = {"theta_i_deg": theta_i_deg} | columns
+            return csv_response(request, columns, query.digits, "fresnel_errors.csv")
+        if query.format == "csv":
+            return rows_csv_response(request, COLUMNS, rows, query.digits, "fresnel_errors.csv")
+        payload = {
+            "interface": interface_json(interface),
+            "convention": CONVENTION,
+            "reference": "exact",
+            "measure": MEASURE,
+            "theta_i_deg": theta_i_deg,
+            "errors": rows,
+        }
+        return json_response(request, payload, query.digits)
+
+    @routes.get("/errors", response_model=ErrorsOut, summary="How wrong models are")
+    async def errors(request: Request, query: Annotated[Query_, Query()]) -> Response:  # type: ignore[valid-type]
+        return await answer(request, query)
+
+    async def answer(request: Request, query: ErrorsQuery) -> Response:
+        models = parse_models(query.models, registry)
+        refuse_foreign_parameters(query, models, registry)
+        return await run_in_threadpool(respond, request, query, models, query.interface())
+
+    routes.include_router(error_grids.router(registry))
+    return routes
