@@ -17,7 +17,10 @@ import { typeset } from "./typeset.js";
  * A further view is one line here and one file in views/.
  * @type {{id: string, title: string, load: () => Promise<ViewModule>}[]}
  */
-const VIEWS = [{ id: "explore", title: "Explore", load: () => import("./views/explore.js") }];
+const VIEWS = [
+  { id: "explore", title: "Explore", load: () => import("./views/explore.js") },
+  { id: "compare", title: "Compare", load: () => import("./views/compare.js") },
+];
 
 const PAGE_ANGLE = 64; // where the page starts: R, Rs and Rp are well apart
 const SAY_AFTER = 900; // ms of rest before the numbers are spoken
@@ -205,10 +208,10 @@ async function start() {
     if (!here) return;
     const now = state.get();
     here.view.update(now, answers, state.moving());
-    shell.showCalls(here.module.restCalls(now, catalog));
     clearTimeout(speech);
-    if (!state.moving())
-      speech = setTimeout(() => shell.say(here.view.sentence(now, answers)), SAY_AFTER);
+    if (state.moving()) return;
+    shell.showCalls(here.module.restCalls(now, catalog));
+    speech = setTimeout(() => shell.say(here.view.sentence(now, answers)), SAY_AFTER);
   }
 
   /** @param {string} id */

@@ -3,6 +3,7 @@
 import { copyText, flash } from "./clipboard.js";
 import { byId, h, setText } from "./dom.js";
 
+const NOTICEABLE = 250; // ms: work that is done sooner is not shown
 const THEMES = /** @type {const} */ (["auto", "light", "dark"]);
 
 /**
@@ -59,6 +60,8 @@ export function createShell({ views, onView, onTheme }) {
     setText(said, text);
   }
 
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let waiting;
   /** @type {Map<string, HTMLElement>} */
   const open = new Map();
 
@@ -78,7 +81,9 @@ export function createShell({ views, onView, onTheme }) {
 
     /** @param {boolean} busy */
     setBusy(busy) {
-      work.toggleAttribute("data-busy", busy);
+      clearTimeout(waiting);
+      if (busy) waiting = setTimeout(() => work.toggleAttribute("data-busy", true), NOTICEABLE);
+      else if (work.hasAttribute("data-busy")) work.removeAttribute("data-busy");
     },
 
     /**

@@ -141,8 +141,8 @@ export function createState(
       current = Object.freeze(next);
       if (history === "replace") {
         if (!moving) write("pushState");
-        // Browsers refuse more than some 100 changes of the URL in 30 s.
-        else if (now() - written > 400) write("replaceState");
+        // A change of the URL takes as long as a frame, and browsers refuse more than 100 in 30 s.
+        else if (now() - written > 1000) write("replaceState");
         moving = true;
       } else if (history === "push") {
         write(moving ? "replaceState" : "pushState");

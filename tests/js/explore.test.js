@@ -39,13 +39,8 @@ function curves(media = {}) {
   };
 }
 
-const SHOWN = /** @type {const} */ ({
-  polarization: "unpolarized",
-  angle: "deg",
-  show: [],
-  models: [],
-  marks: true,
-});
+/** @type {import("../../static/js/explore/traces.js").Shown} */
+const SHOWN = { polarization: "unpolarized", angle: "deg", show: [], models: [], marks: true };
 const MODELS = /** @type {any} */ ([
   { id: "exact", title: "Exact" },
   { id: "schlick", title: "Schlick" },

@@ -88,7 +88,7 @@ test("a gesture makes one entry in the history", () => {
     state.set({ n }, { history: "replace" });
     assert.equal(state.moving(), true);
   }
-  clock += 1000;
+  clock += 2000;
   state.set({ n: 1.9 }, { history: "replace" });
   state.set({ n: 2 }, { history: "replace" });
   state.settle();

@@ -104,12 +104,16 @@ export function createMedia({ materials, onPick, onSwap }) {
     swap,
     reason,
   );
+  let shown = "";
   return {
     element,
     /** @param {{incident: string | null, material: string | null, n_i: number, n_t: number, k_t: number}} state */
     update({ incident, material, n_i, n_t, k_t }) {
-      from.select.value = nameable(materials, incident, n_i, 0) ?? "";
-      into.select.value = nameable(materials, material, n_t, k_t) ?? "";
+      const state = JSON.stringify([incident, material, n_i, n_t, k_t]);
+      if (state === shown) return;
+      shown = state;
+      pick(from.select, nameable(materials, incident, n_i, 0));
+      pick(into.select, nameable(materials, material, n_t, k_t));
       const absorbing = k_t > 0;
       swap.setAttribute("aria-disabled", String(absorbing));
       const left = materials.find((m) => m.id === incident)?.k;
@@ -122,6 +126,11 @@ export function createMedia({ materials, onPick, onSwap }) {
       setText(reason, why);
     },
   };
+}
+
+/** Choosing again what is chosen would lay out the page. @param {HTMLSelectElement} select @param {string | null} id */
+function pick(select, id) {
+  if (select.value !== (id ?? "")) select.value = id ?? "";
 }
 
 /**

@@ -51,6 +51,7 @@ export function createRow({
   /** @type {{value: number, label: string}[]} */
   let landmarks = [];
   let free = false;
+  let shown = "";
 
   const box = h("input", {
     id: `${id}-box`,
@@ -105,9 +106,9 @@ export function createRow({
       symbol(parameter.symbol),
       h("span", {}, label),
     ),
-    box,
+    h("div", {}, h("div", { class: "box-frame" }, box)),
     play,
-    h("div", { class: "track" }, slider, ticks),
+    h("div", { class: "track" }, h("div", { class: "track-frame" }, slider, ticks)),
     h(
       "div",
       { class: "row-foot" },
@@ -259,16 +260,20 @@ export function createRow({
 
   function show() {
     const [a, b] = ends();
+    const text = left ? "" : write.print(value);
+    // Rows are shown at every frame of a drag, and most have not changed: what is set is laid out again.
+    const state = JSON.stringify([a, b, value, left, text, landmarks]);
+    if (document.activeElement !== box || !box.hasAttribute("aria-invalid")) {
+      if (box.value !== text) box.value = text;
+    }
+    if (state === shown) return;
+    shown = state;
     slider.min = String(a);
     slider.max = String(b);
     slider.value = String(value);
-    slider.setAttribute("aria-valuetext", left ? "from the media" : write.print(value));
+    slider.setAttribute("aria-valuetext", left ? "from the media" : text);
     element.toggleAttribute("data-left", left);
-    element.style.setProperty("--fill", String((value - a) / (b - a || 1)));
-    if (document.activeElement !== box || !box.hasAttribute("aria-invalid")) {
-      const text = left ? "" : write.print(value);
-      if (box.value !== text) box.value = text;
-    }
+    slider.style.setProperty("--fill", String((value - a) / (b - a || 1)));
     setText(low, write.end(a));
     setText(high, write.end(b));
     const open = wide !== undefined && (a !== range[0] || b !== range[1]);

@@ -57,6 +57,8 @@ export function createNumbers(say) {
   let reading = null;
   /** @type {Unit} */
   let unit = "deg";
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let dimming;
 
   /** @param {Entry} entry @returns {number | null | undefined} */
   function full(entry) {
@@ -149,19 +151,29 @@ export function createNumbers(say) {
     grid,
     table,
     copyAll,
-    /** @param {Reading} next @param {Unit} nextUnit */
-    update(next, nextUnit) {
+    /** @param {Reading} next @param {Unit} nextUnit @param {boolean} moving */
+    update(next, nextUnit, moving) {
       reading = next;
       unit = nextUnit;
-      // The amplitudes come with the server's answer for this very angle; until then the last ones stay, dimmed.
-      table.toggleAttribute("data-stale", next.snell === null);
+      // The amplitudes come with the server's answer for this very angle; until then the last ones stay,
+      // and are dimmed if that takes long enough to be seen.
+      const stale = next.snell === null;
+      table.toggleAttribute("data-stale", stale);
+      if (!stale) {
+        clearTimeout(dimming);
+        dimming = undefined;
+        if (table.hasAttribute("data-dim")) table.removeAttribute("data-dim");
+      } else dimming ??= setTimeout(() => table.setAttribute("data-dim", ""), 300);
       for (const { entry, value } of all) {
         const number = entry.get(next);
         if (number === undefined) continue;
         setText(value, entry.degrees ? angle(number, unit) : six(number));
+        if (value.hasAttribute("data-none") !== (number === null)) {
+          value.toggleAttribute("data-none", number === null);
+        }
+        if (moving) continue; // nobody reads it out meanwhile
         const label = `${entry.name}: ${value.textContent}, copy`;
         if (value.ariaLabel !== label) value.ariaLabel = label;
-        value.toggleAttribute("data-none", number === null);
       }
     },
   };

@@ -16,7 +16,7 @@ export function createSplit() {
     h(
       "p",
       { class: "split-text" },
-      h("span", {}, left, " reflected"),
+      h("span", {}, "reflected ", left),
       h("span", {}, right, " ", rest),
     ),
   );

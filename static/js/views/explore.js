@@ -41,8 +41,10 @@ export function createView({ element, catalog, presets, state, actions, say, sav
   const numbers = createNumbers(say);
   const split = createSplit();
   const definitions = createDefinitions(catalog.models, typeset);
-  const diagramHost = h("div", { class: "diagram-host" });
-  const plotHost = h("div", { class: "plot-host" });
+  const diagramFrame = h("div", { class: "frame" });
+  const diagramHost = h("div", { class: "diagram-host" }, diagramFrame);
+  const plotFrame = h("div", { class: "frame" });
+  const plotHost = h("div", { class: "plot-host" }, plotFrame);
   const caption = h(
     "p",
     { class: "hint" },
@@ -123,7 +125,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
       actions.set({ theta_i_deg: clamp(next, 0, 90) }, { history: "replace" });
   }
 
-  const diagram = createDiagram(diagramHost, {
+  const diagram = createDiagram(diagramFrame, {
     onTheta: (/** @type {number} */ deg, /** @type {{free: boolean}} */ { free }) =>
       drag(deg, free),
     onSettle: actions.settle,
@@ -145,7 +147,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
     },
   });
 
-  const plot = createPlot(plotHost, {
+  const plot = createPlot(plotFrame, {
     ...axesOf(/** @type {any} */ (state())),
     filename: "fresnel-curves",
     onPick(x, { settled, free }) {
@@ -217,7 +219,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
         landmarks: stops(),
       });
       split.update(/** @type {number} */ (share), /** @type {number} */ (passed), media.k_t > 0);
-      numbers.update(reading, unit);
+      numbers.update(reading, unit, moving);
       draw(moving);
       const points = [
         { id: "Rs", y: reading.Rs },
