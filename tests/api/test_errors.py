@@ -1,0 +1,318 @@
+"""The routes about errors: numbers, shapes, refusals."""
+
+from __future__ import annotations
+
+import asyncio
+import csv
+import io
+from collections.abc import Callable
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+from fastapi import FastAPI
+
+from app.api import curves, problems
+from app.api import errors as error_routes
+from app.api.error_schemas import ErrorMapOut, ErrorsOut, ErrorSweepOut
+from app.optics.interface import Interface
+from app.optics.metrics import METRICS, measure
+from app.optics.registry import default_registry
+from app.settings import Settings
+
+Get = Callable[..., httpx.Response]
+REGISTRY = default_registry()
+TRAPS = [model.id for model in REGISTRY.values() if "(trap)" in model.title]
+
+
+@pytest.fixture(scope="module")
+def get() -> Get:
+    app = FastAPI()
+    app.state.settings = Settings()
+    problems.install(app)
+    for module in (error_routes, curves):
+        app.include_router(module.router(REGISTRY), prefix="/api/v1")
+
+    def ask(path: str, parameters: dict[str, Any] | None = None, **more: Any) -> httpx.Response:
+        async def request() -> httpx.Response:
+            transport = httpx.ASGITransport(app=app)
+            async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
+                return await client.get(f"/api/v1{path}", params={**(parameters or {}), **more})
+
+        return asyncio.run(request())
+
+    return ask
+
+
+def table(answer: httpx.Response) -> list[dict[str, str]]:
+    assert answer.status_code == 200, answer.text
+    assert answer.headers["content-type"] == "text/csv; charset=utf-8"
+    return list(csv.DictReader(io.StringIO(answer.text)))
+
+
+def problem(answer: httpx.Response) -> dict[str, str]:
+    assert answer.status_code == 422
+    assert answer.headers["content-type"] == "application/problem+json"
+    (error,) = answer.json()["errors"]
+    return {str(name): str(value) for name, value in error.items()}
+
+
+# One interface
+
+
+def test_errors_of_every_model(get: Get) -> None:
+    interface = Interface(1.0, 1.5, 5.0)
+    answer = get("/errors", models=",".join(REGISTRY), n_t=1.5, k_t=5.0, samples=7)
+    body = answer.json()
+    ErrorsOut.model_validate(body)
+    assert answer.headers["etag"]
+    assert body["theta_i_deg"] == [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0]
+    assert {row["model"] for row in body["errors"]} == set(REGISTRY)
+    for row in body["errors"]:
+        model = REGISTRY[row["model"]]
+        assert row["reason"] == model.reason_outside(interface)
+        assert row["in_domain"] is (row["reason"] is None)
+        assert len(row["error"]) == 7
+        assert row["albedo_error"] == row["cosine_weighted_mean"]
+        for name, value in measure(model, interface).items():
+            assert row[name] == (None if np.isnan(value) else float(value)), (model.id, name)
+    sizes = [row["rms"] for row in body["errors"] if row["rms"] is not None]
+    assert sizes == sorted(sizes)
+
+
+def test_the_error_curve_is_the_difference_of_the_curves(get: Get) -> None:
+    shared = {"n_t": 2.9, "k_t": 3.0, "samples": 31, "landmarks": "true"}
+    body = get("/errors", shared, models="schlick", relative="true").json()
+    answer = get("/curves", shared, models="exact,schlick").json()
+    values = {(c["model"], c["quantity"]): np.array(c["values"]) for c in answer["curves"]}
+    exact, schlick = values["exact", "R"], values["schlick", "R"]
+    (row,) = body["errors"]
+    assert body["theta_i_deg"] == answer["theta_i_deg"]
+    np.testing.assert_allclose(row["error"], schlick - exact, atol=1e-15)
+    np.testing.assert_allclose(row["relative_error"], (schlick - exact) / exact, atol=1e-14)
+
+
+def test_solved_and_given_parameters_are_told(get: Get) -> None:
+    glass = {"models": "lazanyi2005", "n_t": 1.5, "k_t": 5.0}
+    (row,) = get("/errors", glass).json()["errors"]
+    assert round(row["parameters"]["alpha"], 4) == 7.7054
+    assert row["parameters"]["a"] == 3.0
+    (given,) = get("/errors", glass, **{"lazanyi2005.alpha": 7.7}).json()["errors"]
+    assert given["parameters"]["alpha"] == 7.7
+    assert given["max_abs"] != row["max_abs"]
+
+
+def test_a_triple_has_three_rows(get: Get) -> None:
+    asked = {"models": "hoffman_f82", "n_t": 0.27, "k_t": 2.9, "samples": 5}
+    body = get("/errors", asked, **{"hoffman_f82.F0": "1.0,0.8,0.4"}).json()
+    ErrorsOut.model_validate(body)
+    rows = {row["quantity"]: row for row in body["errors"]}
+    assert set(rows) == {"R_red", "R_green", "R_blue"}
+    for quantity, F0 in (("R_red", 1.0), ("R_green", 0.8), ("R_blue", 0.4)):
+        (alone,) = get("/errors", asked, **{"hoffman_f82.F0": F0}).json()["errors"]
+        assert rows[quantity]["parameters"]["F0"] == F0
+        assert rows[quantity]["error"] == alone["error"]
+        for name in METRICS:
+            assert rows[quantity][name] == pytest.approx(alone[name], rel=1e-12)
+
+
+def test_undefined_figures_are_null_and_last(get: Get) -> None:
+    body = get("/errors", models="wloka_gc,schlick", n_i=1.5, n_t=1.0, samples=3).json()
+    first, last = body["errors"]
+    assert (first["model"], last["model"]) == ("schlick", "wloka_gc")
+    assert all(last[name] is None for name in METRICS)
+    assert last["error"] == [pytest.approx(0.0, abs=1e-15), None, None]
+
+
+def test_no_contrast_has_no_relative_error(get: Get) -> None:
+    (row,) = get("/errors", models="schlick", n_t=1.0, samples=2).json()["errors"]
+    assert row["max_relative"] is None
+    assert row["rms"] == pytest.approx(11**-0.5)
+
+
+def test_errors_as_csv(get: Get) -> None:
+    asked = {"models": "schlick,wloka_gc", "n_i": 1.5, "n_t": 1.0, "format": "csv", "samples": 3}
+    rows = table(get("/errors", asked))
+    assert [row["model"] for row in rows] == ["schlick", "wloka_gc"]
+    assert rows[0]["in_domain"] == "false"
+    assert float(rows[0]["max_abs"]) == pytest.approx(0.959, abs=1e-3)
+    assert rows[1]["rms"] == ""
+    rounded = table(get("/errors", asked, digits=3))
+    assert rounded[0]["max_abs"] == "0.959"
+    angles = table(get("/errors", asked, table="curves"))
+    assert [row["theta_i_deg"] for row in angles] == ["0.0", "45.0", "90.0"]
+    assert set(angles[0]) == {"theta_i_deg", "schlick.R.error", "wloka_gc.R.error"}
+
+
+@pytest.mark.parametrize(
+    ("parameters", "name"),
+    [
+        ({"models": "shlick"}, "models"),
+        ({"models": "schlick,schlick"}, "models"),
+        ({"n_t": "nan"}, "n_t"),
+        ({"model": "schlick"}, "model"),
+        ({"models": "schlick", "lazanyi2005.alpha": 7.7}, "lazanyi2005.alpha"),
+        ({"models": "lazanyi2005", "lazanyi2005.alpha": -1}, "lazanyi2005.alpha"),
+        ({"models": "lut_1d", "lut_1d.bits": 10}, "lut_1d.bits"),
+    ],
+)
+def test_refused(get: Get, parameters: dict[str, Any], name: str) -> None:
+    assert problem(get("/errors", parameters))["parameter"] == name
+
+
+# Along a line
+
+
+def test_schlicks_largest_errors_to_the_printed_digits(get: Get) -> None:
+    """The table of formulas.md, read off one sweep in steps of 0.01."""
+    printed = {1.1: 0.2105, 1.2: 0.1130, 1.33: 0.0599, 1.5: 0.0357, 1.8: 0.0345}
+    printed |= {2.2: 0.0582, 2.42: 0.0757, 3.0: 0.1250, 4.0: 0.2009}
+    body = get(
+        "/errors/sweep", model="schlick", over="n_t", minimum=1.1, maximum=4, steps=291
+    ).json()
+    ErrorSweepOut.model_validate(body)
+    found = {round(n, 2): value for n, value in zip(body["values"], body["max_abs"], strict=True)}
+    assert {n: round(found[n], 4) for n in printed} == printed
+    positive = dict(zip(body["values"], body["error_at_max"], strict=True))
+    assert round(positive[1.1], 4) == 0.2105
+
+
+@pytest.mark.parametrize("over", ["n_t", "k_t", "eta"])
+@pytest.mark.parametrize("scale", ["linear", "log"])
+def test_a_sweep_is_the_errors_at_each_interface(get: Get, over: str, scale: str) -> None:
+    asked = {"model": "schlick", "n_i": 1.5, "minimum": 0.5, "maximum": 2.3, "steps": 4}
+    body = get("/errors/sweep", asked, over=over, scale=scale).json()
+    expected = np.linspace(0.5, 2.3, 4) if scale == "linear" else np.geomspace(0.5, 2.3, 4)
+    np.testing.assert_allclose(body["values"], expected)
+    assert {n: body[n] for n in ("n_i", "n_t", "k_t")} == {
+        "n_i": 1.5,
+        "n_t": 1.5 if over == "k_t" else None,
+        "k_t": None if over == "k_t" else 0.0,
+    }
+    for index, value in enumerate(body["values"]):
+        media = {"n_t": 1.5 * value} if over == "eta" else {over: value}
+        (row,) = get("/errors", models="schlick", n_i=1.5, samples=2, **media).json()["errors"]
+        assert body["in_domain"][index] is row["in_domain"]
+        for name in (*METRICS, "albedo_error"):
+            assert body[name][index] == pytest.approx(row[name], rel=1e-9, abs=1e-15), name
+
+
+def test_a_sweep_as_csv(get: Get) -> None:
+    rows = table(get("/errors/sweep", over="k_t", steps=3, format="csv", digits=4))
+    assert [row["k_t"] for row in rows] == ["0.0", "2.5", "5.0"]
+    assert set(rows[0]) == {"k_t", *METRICS, "albedo_error"}
+
+
+def test_a_sweep_with_a_models_own_parameter(get: Get) -> None:
+    asked = {"model": "generalized_schlick", "steps": 3, "k_t": 3.0}
+    plain = get("/errors/sweep", asked).json()
+    bent = get("/errors/sweep", asked, **{"generalized_schlick.exponent": 4.0}).json()
+    assert plain["rms"] != bent["rms"]
+
+
+@pytest.mark.parametrize(
+    ("parameters", "name"),
+    [
+        ({"over": "n_i"}, "over"),
+        ({"over": "n_t", "n_t": 1.5}, "n_t"),
+        ({"over": "eta", "n_t": 1.5}, "n_t"),
+        ({"over": "k_t", "k_t": 1.0}, "k_t"),
+        ({"material": "Au"}, "material"),
+        ({"minimum": 2.0, "maximum": 1.0}, "minimum"),
+        ({"minimum": 0.0}, "minimum"),
+        ({"maximum": 101.0}, "maximum"),
+        ({"over": "k_t", "scale": "log"}, "minimum"),
+        ({"over": "eta", "n_i": 50.0, "maximum": 3.0}, "maximum"),
+        ({"steps": 1}, "steps"),
+        ({"steps": 3000}, "steps"),
+        ({"model": "shlick"}, "model"),
+        ({"model": "hoffman_f82", "k_t": 3.0, "hoffman_f82.F0": "1,1,1"}, "hoffman_f82.F0"),
+    ],
+)
+def test_refused_sweeps(get: Get, parameters: dict[str, Any], name: str) -> None:
+    assert problem(get("/errors/sweep", parameters))["parameter"] == name
+
+
+# Over a rectangle
+
+
+@pytest.mark.parametrize("metric", ["error", "absolute", "relative"])
+def test_a_map_over_the_angle(get: Get, metric: str) -> None:
+    asked = {"x_steps": 4, "y": "n_t", "y_minimum": 1.2, "y_maximum": 2.2, "y_steps": 3}
+    body = get("/errors/map", asked, metric=metric).json()
+    ErrorMapOut.model_validate(body)
+    assert body["x"] == {"name": "theta_i_deg", "values": [0.0, 30.0, 60.0, 90.0]}
+    assert len(body["values"]) == 3
+    for n_t, cells in zip(body["y"]["values"], body["values"], strict=True):
+        (row,) = get("/errors", models="schlick", n_t=n_t, samples=4, relative="true").json()[
+            "errors"
+        ]
+        curve = np.array(row["relative_error" if metric == "relative" else "error"])
+        np.testing.assert_allclose(
+            cells, np.abs(curve) if metric == "absolute" else curve, atol=1e-15
+        )
+
+
+@pytest.mark.parametrize("metric", [*METRICS, "albedo_error"])
+def test_a_map_over_index_and_extinction(get: Get, metric: str) -> None:
+    asked = {"x": "n_t", "y": "k_t", "x_steps": 5, "y_steps": 4, "x_minimum": 1.1, "y_minimum": 0.5}
+    body = get("/errors/map", asked, metric=metric, model="pharr_humphreys").json()
+    ErrorMapOut.model_validate(body)
+    n, k = np.meshgrid(body["x"]["values"], body["y"]["values"])
+    name = "cosine_weighted_mean" if metric == "albedo_error" else metric
+    expected = measure(REGISTRY["pharr_humphreys"], Interface(1.0, n, k))[name]  # type: ignore[index]
+    tolerance = 0.5 if metric.endswith("_deg") else 5e-4
+    np.testing.assert_allclose(np.array(body["values"]), expected, atol=tolerance)
+
+
+def test_defaults_of_a_map(get: Get) -> None:
+    body = get("/errors/map").json()
+    assert (body["metric"], body["x"]["name"], body["y"]["name"]) == ("error", "theta_i_deg", "n_t")
+    assert (len(body["values"]), len(body["values"][0])) == (121, 181)
+    swapped = get("/errors/map", x="k_t", y="n_t", x_steps=3, y_steps=2).json()
+    assert swapped["metric"] == "max_abs"
+    assert (len(swapped["values"]), len(swapped["values"][0])) == (2, 3)
+
+
+def test_a_map_as_csv(get: Get) -> None:
+    rows = table(get("/errors/map", x_steps=2, y_steps=2, format="csv"))
+    assert [(row["theta_i_deg"], row["n_t"]) for row in rows] == [
+        ("0.0", "0.1"),
+        ("90.0", "0.1"),
+        ("0.0", "5.0"),
+        ("90.0", "5.0"),
+    ]
+    assert set(rows[0]) == {"theta_i_deg", "n_t", "error"}
+
+
+def test_the_largest_map_is_answered(get: Get) -> None:
+    answer = get("/errors/map", x="n_t", y="k_t", x_steps=500, y_steps=500, digits=3, metric="rms")
+    assert answer.status_code == 200
+    assert len(answer.json()["values"]) == 500
+
+
+@pytest.mark.parametrize(
+    ("parameters", "name"),
+    [
+        ({"x_steps": 501, "y_steps": 500}, "x_steps"),
+        ({"x": "n_t"}, "y"),
+        ({"x": "eta"}, "y"),
+        ({"metric": "rms"}, "metric"),
+        ({"x": "n_t", "y": "k_t", "metric": "error"}, "metric"),
+        ({"metric": "worst"}, "metric"),
+        ({"n_t": 2.0}, "n_t"),
+        ({"x_maximum": 91.0}, "x_maximum"),
+        ({"y_minimum": 3.0, "y_maximum": 3.0}, "y_minimum"),
+        ({"material": "Au"}, "material"),
+        ({"x": "n_t", "y": "k_t", "model": "lut_1d", "lut_1d.size": 4096}, "steps"),
+    ],
+)
+def test_refused_maps(get: Get, parameters: dict[str, Any], name: str) -> None:
+    assert problem(get("/errors/map", parameters))["parameter"] == name
+
+
+def test_traps_are_measured_and_marked(get: Get) -> None:
+    rows = get("/errors", models=",".join(TRAPS), n_t=1.5, k_t=2.0, samples=2).json()["errors"]
+    assert len(rows) == len(TRAPS)
+    assert not any(row["in_domain"] for row in rows)
