@@ -119,8 +119,9 @@ export function createDiagram(element, actions) {
     const depth = tir || absorbing ? values.penetration_depth_wavelengths : null;
 
     element.toggleAttribute("data-absorbing", absorbing);
-    element.style.setProperty("--tint-upper", `${(tint(n_i) * 100).toFixed(1)}%`);
-    element.style.setProperty("--tint-lower", `${(tint(n_t) * 100).toFixed(1)}%`);
+    // on the media alone: what is set on the host is inherited, and all of it is styled anew
+    put(scene.upper, "style", `--tint: ${(tint(n_i) * 100).toFixed(1)}%`);
+    put(scene.lower, "style", `--tint: ${(tint(n_t) * 100).toFixed(1)}%`);
     setDecay(scene.dark, scene.darkness, stage, absorbing ? depth : null);
     setDecay(scene.light, scene.glow, stage, tir ? depth : null);
     show(scene.scaleBar, depth !== null);

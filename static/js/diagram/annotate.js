@@ -1,7 +1,7 @@
 /** Writing the diagram's words where the plan puts them. */
 
 import { createMeasure } from "../draw/measure.js";
-import { put, px, show } from "../draw/svg.js";
+import { moveText, put, px, show } from "../draw/svg.js";
 import { setLabel } from "../draw/symbols.js";
 import { plan, tickAt } from "./plan.js";
 
@@ -66,16 +66,14 @@ export function createAnnotations(scene) {
         show(node, text !== "");
         if (!text) continue;
         setLabel(node, text);
-        put(node, "x", px(x));
-        put(node, "y", px(y));
+        moveText(node, x, y);
       }
       for (const [id, node] of nodes) show(node, standing.has(id));
       for (const { id, text, x, y } of planned.labels) {
         const node = nodes.get(id);
         if (!node) continue;
         setLabel(node, text);
-        put(node, "x", px(x));
-        put(node, "y", px(y));
+        moveText(node, x, y);
       }
       for (const [index, { line }] of scene.marks.entries()) {
         const landmark = drawn.values.landmarks[index];

@@ -1,7 +1,7 @@
 /** Writing values into the scene: media, rays, signs. Attributes only, nothing is made here. */
 
 import { boxOf } from "../draw/boxes.js";
-import { put, px, show } from "../draw/svg.js";
+import { moveText, put, px, show } from "../draw/svg.js";
 import { setLabel } from "../draw/symbols.js";
 import { arrowSize, at, signPlaces } from "./geometry.js";
 import { DECAY } from "./scene.js";
@@ -131,8 +131,7 @@ export function setScale({ scaleBar, scaleText }, { width, height, inset, wavele
     "d",
     `M${right - 2 * half},${top}H${right}M${right - half},${top}V${bottom}M${right - 2 * half},${bottom}H${right}`,
   );
-  put(scaleText, "x", right - 4 * half);
-  put(scaleText, "y", (top + bottom) / 2);
+  moveText(scaleText, right - 4 * half, (top + bottom) / 2);
   setLabel(scaleText, "1 λ");
 }
 

@@ -1,6 +1,6 @@
 /** All nodes of the diagram, made once; a drag only changes their attributes. */
 
-import { svg } from "../draw/svg.js";
+import { svg, svgText } from "../draw/svg.js";
 import { HEAD_PATH } from "./geometry.js";
 
 /** Depths, in penetration depths, at which the decay's gradient has a stop. */
@@ -87,7 +87,7 @@ export function createScene() {
   const protractor = svg("path", { class: "ray-protractor" }, guides);
   const marks = Array.from({ length: LANDMARKS }, () => ({
     line: svg("line", { class: "ray-landmark" }, guides),
-    name: svg("text", { class: "ray-landmark-name" }, guides),
+    name: svgText(guides, "ray-landmark-name"),
   }));
   const normal = svg("line", { class: "ray-normal" }, guides);
   const surface = svg("line", { class: "ray-surface", x1: 0 }, guides);
@@ -106,7 +106,7 @@ export function createScene() {
   const signsRefracted = signs(rays);
 
   const words = svg("g", { class: "ray-words" }, root);
-  const text = (/** @type {string} */ className) => svg("text", { class: className }, words);
+  const text = (/** @type {string} */ className) => svgText(words, className);
   return {
     root,
     darkness,

@@ -50,6 +50,27 @@ export function show(node, visible) {
 }
 
 /**
+ * Make an SVG text in a group of its own, by which it is moved: a text that is itself transformed is
+ * laid out anew at each step.
+ * @param {SVGElement} parent
+ * @param {string} className
+ * @returns {SVGTextElement}
+ */
+export function svgText(parent, className) {
+  return svg("text", { class: className }, svg("g", {}, parent));
+}
+
+/**
+ * @param {SVGTextElement} node made by `svgText`
+ * @param {number} x
+ * @param {number} y
+ */
+export function moveText(node, x, y) {
+  const group = /** @type {Element} */ (node.parentNode);
+  put(group, "transform", `translate(${px(x)},${px(y)})`);
+}
+
+/**
  * Round to a tenth of a pixel, enough for the eye and short in the markup.
  * @param {number} value
  */

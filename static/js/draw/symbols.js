@@ -88,7 +88,13 @@ export function setLabel(node, label) {
   let lowered = false;
   parts.forEach((run, index) => {
     const span = /** @type {SVGTSpanElement} */ (node.children[index]);
-    if (span.textContent !== run.text) span.textContent = run.text;
+    const words = span.firstChild;
+    // the node stays, which spares the page a change of its tree
+    if (words instanceof Text) {
+      if (words.data !== run.text) words.data = run.text;
+    } else {
+      span.textContent = run.text;
+    }
     put(span, "class", run.sub ? "symbol-run symbol-sub" : run.italic ? "symbol-run" : "");
     // `dy` moves all that follows, so the run after a subscript climbs back.
     put(span, "dy", run.sub && !lowered ? "0.22em" : !run.sub && lowered ? "-0.16em" : null);

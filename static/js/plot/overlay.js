@@ -6,7 +6,7 @@
  */
 
 import { createMeasure } from "../draw/measure.js";
-import { put, px, show, svg } from "../draw/svg.js";
+import { moveText, put, px, show, svg, svgText } from "../draw/svg.js";
 import { setLabel } from "../draw/symbols.js";
 import { placeLabels } from "./labels.js";
 import { placeMarkNames } from "./marks.js";
@@ -88,8 +88,8 @@ export function createOverlay(area) {
   area.append(root);
 
   const markLines = pool(() => svg("line", { class: "plot-mark" }, behind));
-  const markNames = pool(() => svg("text", { class: "plot-mark-name" }, behind));
-  const labels = pool(() => svg("text", { class: "plot-label" }, names));
+  const markNames = pool(() => svgText(behind, "plot-mark-name"));
+  const labels = pool(() => svgText(names, "plot-label"));
   const markerLine = svg("line", { class: "plot-marker-line", visibility: "hidden" }, front);
   const dots = pool(() => svg("circle", { class: "plot-dot", r: 4.5 }, front));
   const hoverLine = svg("line", { class: "plot-hover-line", visibility: "hidden" }, behind);
@@ -165,7 +165,7 @@ export function createOverlay(area) {
       if (!place) return;
       setLabel(node, trace.label);
       put(node, "fill", `var(${trace.color})`);
-      put(node, "transform", `translate(${px(place.x)},${px(place.y)})`);
+      moveText(node, place.x, place.y);
     });
     labels.rest(traces.length);
   };
@@ -203,8 +203,7 @@ export function createOverlay(area) {
       show(name, Boolean(place));
       if (!place) return;
       setLabel(name, mark.label);
-      put(name, "x", px(place.x));
-      put(name, "y", px(place.y));
+      moveText(name, place.x, place.y);
     });
     markLines.rest(inside.length);
     markNames.rest(inside.length);
