@@ -15,7 +15,10 @@ from collections.abc import Iterator
 ROUNDS = 7
 REQUESTS = 300
 OURS = "/api/v1/curves?models=exact,schlick,lagarde_gc&samples=181&n_t={n_t:.9f}"
-PLAIN = "/curves?samples=181&n_t={n_t:.9f}"
+PLAIN = {
+    "pydantic model": "/curves?samples=181&n_t={n_t:.9f}",
+    "dict": "/curves/dict?samples=181&n_t={n_t:.9f}",
+}
 
 
 @contextlib.contextmanager
@@ -53,19 +56,22 @@ def rate(port: int, path: str, numbers: Iterator[float]) -> float:
 
 
 def main() -> None:
-    """Print both rates and their ratio, median of the rounds."""
+    """Print the rates and their ratios, medians of the rounds."""
     numbers = (1.2 + 1e-6 * i for i in itertools.count())
     with (
         served("app.main:create_app", "--factory") as ours,
         served("benchmarks.plain_service:app") as plain,
     ):
         rate(ours, OURS, numbers)
-        rate(plain, PLAIN, numbers)
-        pairs = [(rate(ours, OURS, numbers), rate(plain, PLAIN, numbers)) for _ in range(ROUNDS)]
-    ratio = statistics.median(a / b for a, b in pairs)
-    print(f"fresh /curves, 181 samples, six curves: {statistics.median(a for a, _ in pairs):.0f}/s")
-    print(f"plain FastAPI + pydantic service:       {statistics.median(b for _, b in pairs):.0f}/s")
-    print(f"ratio: {ratio:.2f} (bar: 4)")
+        rounds = [
+            {"ours": rate(ours, OURS, numbers)}
+            | {name: rate(plain, path, numbers) for name, path in PLAIN.items()}
+            for _ in range(ROUNDS)
+        ]
+    print("fresh /curves, 181 samples, six curves, requests per second and ratio to ours:")
+    for name in rounds[0]:
+        ratio = statistics.median(found["ours"] / found[name] for found in rounds)
+        print(f"  {name:16s}{statistics.median(f[name] for f in rounds):8.0f}{ratio:8.2f}")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,12 @@
-"""What one writes first: FastAPI, a pydantic model with list[float], tolist(). The yardstick."""
+"""What one writes first with FastAPI, tolist() and list[float], in two ways. The yardsticks.
+
+`/curves` returns a pydantic model, which recent FastAPI writes by pydantic's compiled serializer;
+`/curves/dict` returns the same as a dict, which FastAPI's default encoder walks number by number.
+"""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 from fastapi import FastAPI
@@ -50,3 +56,18 @@ def curves(n_i: float = 1.0, n_t: float = 1.5, k_t: float = 0.0, samples: int = 
             for name, values in quantities.items()
         ],
     )
+
+
+@app.get("/curves/dict")
+def curves_as_dict(n_i: float = 1.0, n_t: float = 1.5, k_t: float = 0.0, samples: int = 181) -> Any:
+    """Answer the same as a dict."""
+    answer = curves(n_i, n_t, k_t, samples)
+    return {
+        "n_i": n_i,
+        "n_t": n_t,
+        "k_t": k_t,
+        "theta_i_deg": answer.theta_i_deg,
+        "curves": [
+            {"model": c.model, "quantity": c.quantity, "values": c.values} for c in answer.curves
+        ],
+    }
