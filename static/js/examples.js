@@ -6,13 +6,13 @@
 /**
  * A measured figure inside a sentence.
  * @typedef {object} Figure
- * @property {'errors' | 'sweep' | 'split'} of `errors` is the table's, `sweep` the largest along the curve
- *   that the figure beside it shows, `split` the largest |Rs - R| of the curves
+ * @property {'errors' | 'sweep' | 'split' | 'solved'} of `errors` is the table's, `sweep` the largest along
+ *   the curve that the figure beside it shows, `split` the largest |Rs - R| of the curves, `solved` the
+ *   model's own parameter that the server works out here
  * @property {string} [model]
  * @property {string} [metric]
  * @property {number} [n] of another member of the family
  * @property {[number, number]} [within] stretch of the sweep, both ends included
- * @property {'least'} [pick] the smallest along the stretch in place of the largest
  *
  * @typedef {string | Figure} Piece
  *
@@ -102,6 +102,8 @@ export const EXAMPLES = [
       error("schlick", "rms"),
       " to ",
       error("lazanyi2005", "rms"),
+      ". Solved here, α is ",
+      { of: "solved", model: "lazanyi2005", metric: "alpha" },
       ".",
     ],
     state: {
@@ -141,8 +143,8 @@ export const EXAMPLES = [
       " inside that range, by ",
       along("schlick", "max_relative", [1.33, 1.33]),
       " for water, ",
-      along("schlick", "max_relative", [1.1, 1.1]),
-      " at n = 1.1 and ",
+      along("schlick", "max_relative", [1.2, 1.2]),
+      " at n = 1.2 and ",
       along("schlick", "max_relative", [3, 3]),
       " at n = 3.",
     ],
@@ -153,8 +155,8 @@ export const EXAMPLES = [
       error: "relative",
       over: "n",
       metric: "max_relative",
-      n_low: 1.05,
-      n_high: 3.05,
+      n_low: 1.2,
+      n_high: 3.2,
     },
   },
   {
@@ -204,21 +206,23 @@ export const EXAMPLES = [
     claim:
       "Schlick and Pharr's form approximate a metal, the latter better with larger k; a complex index put into the dielectric formula is a misunderstanding.",
     measured: [
-      "At n = 1, k = 1.5 Schlick is ",
+      "At n = 1.5, k = 2 Schlick is ",
       error("schlick", "max_abs"),
       " off, Pharr's form ",
       error("pharr_humphreys", "max_abs"),
       ", the complex dielectric ",
       error("complex_dielectric", "max_abs"),
-      ". Over k from 0.5 to 5 Pharr's error falls from ",
+      ". Pharr's form is ",
       along("pharr_humphreys", "max_abs", [0.5, 0.5]),
-      " to ",
+      " off at k = 0.5, ",
+      along("pharr_humphreys", "max_abs", [2, 2]),
+      " at 2 and ",
       along("pharr_humphreys", "max_abs", [5, 5]),
-      ".",
+      " at 5.",
     ],
     state: {
-      n_t: 1,
-      k_t: 1.5,
+      n_t: 1.5,
+      k_t: 2,
       against: ["schlick", "pharr_humphreys", "complex_dielectric"],
       over: "k",
     },

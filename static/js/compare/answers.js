@@ -4,11 +4,13 @@
  * @typedef {import('./metrics.js').Row} Row
  * @typedef {{model: string, over: string, x: number[], metrics: Record<string, (number | null)[]>}} Sweep
  * @typedef {{model: string, metric: string, pointwise: boolean, x: number[], y: number[], z: (number | null)[][]}} ErrorMap
+ * @typedef {{model: string, title: string, weighted_cost: number, parameters: Record<string, number | null>,
+ *   figures: Record<string, number | null> | null, reason: string | null}} Candidate
  */
 
 /** @param {any} answer of /errors @returns {Row[]} */
 export function rowsOf(answer) {
-  return answer?.models ?? [];
+  return answer?.errors ?? [];
 }
 
 /** @param {any} answer of /errors/sweep @returns {Sweep} */
@@ -26,4 +28,9 @@ export function mapOf(answer) {
     y: answer.y.values,
     z: answer.values,
   };
+}
+
+/** @param {any} answer of /recommend @returns {{good: Candidate[], bad: Candidate[]}} */
+export function candidatesOf(answer) {
+  return { good: answer?.models ?? [], bad: answer?.refused ?? [] };
 }

@@ -144,8 +144,12 @@ export function createControls({ catalog, presets, state, actions, family }) {
       for (const { row } of rows) row.stop();
       parameters.stop();
     },
-    /** @param {State} now @param {ReadonlyMap<string, string>} reasons why a model is outside its domain here */
-    update(now, reasons) {
+    /**
+     * @param {State} now
+     * @param {ReadonlyMap<string, string>} reasons why a model is outside its domain here
+     * @param {ReadonlyMap<string, number>} solved what parameters left to the server came out as
+     */
+    update(now, reasons, solved) {
       media.update(/** @type {any} */ (now));
       /** @type {Record<string, {value: number, label: string}[]>} */
       const marks = {
@@ -155,7 +159,7 @@ export function createControls({ catalog, presets, state, actions, family }) {
       for (const { name, row } of rows) row.update(now[name], marks[name] ?? []);
       sheet.update();
       if (document.activeElement !== members) members.value = now.family.join(", ");
-      parameters.update(now, now.against);
+      parameters.update(now, now.against, solved);
       chooser.update(now.against, reasons);
       angles.update([now.angle]);
     },

@@ -2,8 +2,8 @@
 
 import { h, setText } from "../dom.js";
 import { EXAMPLES, shows, stateOf } from "../examples.js";
-import { angle, percent } from "../format.js";
-import { rowsOf, sweepOf } from "./answers.js";
+import { angle, percent, plain } from "../format.js";
+import { candidatesOf, rowsOf, sweepOf } from "./answers.js";
 import { short } from "./metrics.js";
 
 /**
@@ -48,6 +48,11 @@ export function measured({ of, model, metric = "", n, within }, answers) {
     return values.length === 0
       ? null
       : print(metric, Math.max(.../** @type {number[]} */ (values)));
+  }
+  if (of === "solved") {
+    const { good, bad } = candidatesOf(answers.recommend);
+    const value = [...good, ...bad].find((c) => c.model === model)?.parameters[metric];
+    return value === undefined || value === null ? null : plain(value, 5);
   }
   if (of === "split") {
     /** @param {string} quantity @returns {(number | null)[]} */

@@ -11,6 +11,7 @@ import { createPlot } from "../plots.js";
 import { mapOf, sweepOf } from "./answers.js";
 import { focused, isMap, isPointwise, ranges } from "./fields.js";
 import { short } from "./metrics.js";
+import { hasTriple } from "./queries.js";
 import { shortTitle } from "./traces.js";
 
 /**
@@ -29,6 +30,8 @@ export const METRICS = {
 const POINTS = { error: "signed error", absolute: "absolute error", relative: "relative error" };
 const N_AXIS = { title: "second index n_t", short: "n", column: "n_t" };
 const K_AXIS = { title: "extinction k_t", short: "k", column: "k_t" };
+
+const ONE_CHANNEL = "This figure shows one channel: give one number for R, G and B.";
 
 /** @param {string} name of a metric or a point's error */
 const isRelative = (name) => name === "relative" || name === "max_relative";
@@ -211,6 +214,7 @@ export function createFigure({ parent, catalog, actions, save }) {
     const name = state.over === "k" ? "k_t" : "n_t";
     const range = ranges(state)[state.over === "k" ? "k" : "n"];
     const given = state.against
+      .filter((/** @type {string} */ id) => !hasTriple(state, id))
       .map((/** @type {string} */ id) => answers[`sweep:${id}`])
       .filter((/** @type {any} */ answer) => answer && answer.over === name);
     const sweeps = given.map(sweepOf);
@@ -227,7 +231,9 @@ export function createFigure({ parent, catalog, actions, save }) {
       }),
     );
     waiting.hidden = traces.length > 0;
-    setText(waiting, state.against.length ? "…" : "Choose a model to see its error here.");
+    const chosen = state.against.length > 0;
+    const split = chosen && state.against.every((/** @type {string} */ id) => hasTriple(state, id));
+    setText(waiting, split ? ONE_CHANNEL : chosen ? "…" : "Choose a model to see its error here.");
     sweepHost.toggleAttribute("data-empty", traces.length === 0);
     if (traces.length === 0) return;
     const look = JSON.stringify([name, state.metric, range]);
@@ -256,9 +262,11 @@ export function createFigure({ parent, catalog, actions, save }) {
   function drawMap(state, answer) {
     const pointwise = isPointwise(state.over);
     const wanted = pointwise ? state.point : state.metric;
-    waiting.hidden = Boolean(answer);
-    setText(waiting, "…");
-    if (!answer) return;
+    const split = hasTriple(state, focused(state));
+    waiting.hidden = Boolean(answer) && !split;
+    mapHost.toggleAttribute("data-empty", split || !answer);
+    setText(waiting, split ? ONE_CHANNEL : "…");
+    if (!answer || split) return;
     const look = JSON.stringify([state.over, wanted, state.angle, state.budget, state.within]);
     const grid = mapOf(answer);
     // A map of another kind may be on its way.

@@ -5,6 +5,7 @@ import { angle, percent, significant } from "../format.js";
 /**
  * @typedef {object} Row the measured errors of one model
  * @property {string} model
+ * @property {string} quantity R, or one of R_red, R_green, R_blue
  * @property {boolean} in_domain
  * @property {string | null} reason
  * @property {number | null} max_abs
@@ -12,9 +13,10 @@ import { angle, percent, significant } from "../format.js";
  * @property {number | null} rms
  * @property {number | null} cosine_weighted_mean
  * @property {number | null} max_relative
- * @property {number | null} albedo_error
+ * @property {Record<string, number | null>} parameters given or solved
  *
- * @typedef {{unit: 'deg' | 'rad', titles: ReadonlyMap<string, string>, costs: ReadonlyMap<string, Cost>}} Setting
+ * @typedef {{unit: 'deg' | 'rad', titles: ReadonlyMap<string, string>, costs: ReadonlyMap<string, Cost>,
+ *   prices: ReadonlyMap<string, number>}} Setting `prices` are the server's weighted costs
  * @typedef {Record<string, number>} Cost
  *
  * @typedef {object} Column
@@ -45,12 +47,9 @@ function share(x) {
   return x < 1e-12 ? short(x) : x >= 10 ? `${significant(100 * x, 3)}\u00a0%` : percent(x);
 }
 
-/** Operations weighted as a GPU prices them: a division, root or power takes several of the others. */
-const PRICES = { add: 1, mul: 1, div: 4, sqrt: 4, pow: 8, trig: 8, lookup: 8 };
-
 /** @param {Cost | undefined} cost */
-export function price(cost) {
-  return Object.entries(PRICES).reduce((sum, [name, each]) => sum + each * (cost?.[name] ?? 0), 0);
+function operations(cost) {
+  return Object.values(cost ?? {}).reduce((sum, count) => sum + count, 0);
 }
 
 const OPERATIONS = /** @type {const} */ ([
@@ -113,31 +112,24 @@ export const COLUMNS = [
     print: (row) => short(row.rms),
   },
   {
-    name: "cosine_weighted_mean",
-    heading: "cos mean",
-    note: "mean signed error weighted by the cosine",
-    value: (row) => row.cosine_weighted_mean,
-    print: (row) => short(row.cosine_weighted_mean),
-  },
-  {
     name: "max_relative",
     heading: "relative",
     note: "largest error relative to the exact R",
-    value: (row) => (row.in_domain || row.max_relative !== null ? row.max_relative : null),
-    print: (row) => share(row.max_relative),
+    value: (row) => row.max_relative,
+    print: (row) => (row.rms === null ? short(null) : share(row.max_relative)),
   },
   {
-    name: "albedo_error",
+    name: "cosine_weighted_mean",
     heading: "albedo",
-    note: "error of the hemispherical albedo, relative to the exact one",
-    value: (row) => row.albedo_error,
-    print: (row) => short(row.albedo_error),
+    note: "mean signed error weighted by the cosine, which is the error of the hemispherical albedo",
+    value: (row) => row.cosine_weighted_mean,
+    print: (row) => short(row.cosine_weighted_mean),
   },
   {
     name: "cost",
     heading: "cost",
     note: "operations of one evaluation: multiplications, additions, divisions, roots, powers",
-    value: (row, { costs }) => price(costs.get(row.model)),
+    value: (row, { costs, prices }) => prices.get(row.model) ?? operations(costs.get(row.model)),
     print: (row, { costs }) => printCost(costs.get(row.model)),
   },
 ];

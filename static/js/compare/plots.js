@@ -7,7 +7,7 @@ import { inDegrees, inUnit } from "../format.js";
 import { locate, read } from "../interpolate.js";
 import { traceUid } from "../plot/figure.js";
 import { createPlot } from "../plots.js";
-import { curveTraces, errorRange, errorTraces } from "./traces.js";
+import { curveTraces, distinct, errorRange, errorTraces } from "./traces.js";
 
 /**
  * @typedef {import('../types.js').Model} Model
@@ -129,12 +129,17 @@ export function createPlots({ parent, models, actions, save }) {
   });
 
   /** @type {Trace[]} */
+  let all = [];
+  /** @type {Trace[]} */
   let curves = [];
   /** @type {Trace[]} */
   let errors = [];
   let drawn = { look: "", sources: /** @type {unknown[]} */ ([]), settled: false };
+  /** @type {string | null} the model under the pointer */
+  let hovered = null;
   /** @type {string | null} */
-  let lit = null;
+  let lastLit = null;
+  const lit = () => hovered ?? now?.focus ?? null;
 
   /** The members of the family that the server has answered. @param {State} state @param {Record<string, any>} answers */
   const members = (state, answers) =>
@@ -153,6 +158,9 @@ export function createPlots({ parent, models, actions, save }) {
   }
 
   function paintLight() {
+    const wanted = lit();
+    // A model that is not shown would dim all the others.
+    const one = curves.some((t) => t.id.split(/[.@]/)[0] === wanted) ? wanted : null;
     for (const [host, traces] of /** @type {const} */ ([
       [upperHost, curves],
       [lowerHost, errors],
@@ -160,7 +168,7 @@ export function createPlots({ parent, models, actions, save }) {
       traces.forEach((trace, index) => {
         const group = host.getElementsByClassName(`trace${traceUid(index)}`)[0];
         if (!(group instanceof SVGElement)) return;
-        const own = lit === null || trace.id.split(/[.@]/)[0] === lit || trace.id === "exact";
+        const own = one === null || trace.id === "exact" || trace.id.split(/[.@]/)[0] === one;
         group.style.opacity = own ? "" : "0.18";
       });
     }
@@ -188,14 +196,15 @@ export function createPlots({ parent, models, actions, save }) {
         sources.every((s, i) => s === drawn.sources[i]);
       if (!same || (!drawn.settled && !moving)) {
         const relative = state.error === "relative";
-        curves = curveTraces(
+        all = curveTraces(
           answers.curves,
           state.against,
           models,
           (d) => inUnit(d, state.angle),
           family,
         );
-        const plain = errorTraces(curves, relative);
+        curves = distinct(all);
+        const plain = errorTraces(all, relative);
         errors = relative
           ? plain.map((t) => ({
               ...t,
@@ -239,6 +248,10 @@ export function createPlots({ parent, models, actions, save }) {
         paintLight();
         fillTables();
       }
+      if (lastLit !== lit()) {
+        lastLit = lit();
+        paintLight();
+      }
       const x = inUnit(state.theta_i_deg, state.angle);
       /** @param {Trace[]} traces */
       const points = (traces) => traces.map((t) => ({ id: t.id, y: read(t.y, locate(t.x, x)) }));
@@ -266,8 +279,8 @@ export function createPlots({ parent, models, actions, save }) {
     },
     /** @param {string | null} id of the model whose curve stands out */
     light(id) {
-      if (id === lit) return;
-      lit = id;
+      if (id === hovered) return;
+      hovered = id;
       paintLight();
     },
     theme() {

@@ -44,7 +44,15 @@ function errorsPath(state, catalog, n) {
     ...mediaQuery(here, catalog),
     `models=${state.against.join(",")}`,
     ...parameterQuery(state, catalog.models, state.against),
+    "samples=2", // the errors over the angle are in the curves already
   ]);
+}
+
+/** A line or a map shows one channel, so three values of a parameter have none. @param {State} state @param {string} model */
+export function hasTriple(state, model) {
+  return Object.entries(state).some(
+    ([name, value]) => name.startsWith(`${model}.`) && Array.isArray(value),
+  );
 }
 
 /** @param {State} state @param {Catalog} catalog @param {string} model */
@@ -67,12 +75,21 @@ export function mapPath(state, catalog) {
   const model = focused(state);
   const { n, k } = ranges(state);
   const pointwise = isPointwise(state.over);
-  const x = pointwise ? ["theta_i_deg", 0, 90, MAP_CELLS.theta] : ["n_t", ...n, MAP_CELLS.wide];
-  const y = pointwise ? ["n_t", ...n, MAP_CELLS.n] : ["k_t", ...k, MAP_CELLS.k];
+  /** @param {string} axis @param {string} name @param {[number, number]} ends @param {number} steps */
+  const spread = (axis, name, [low, high], steps) => [
+    `${axis}=${name}`,
+    `${axis}_minimum=${low}`,
+    `${axis}_maximum=${high}`,
+    `${axis}_steps=${steps}`,
+  ];
   return path("/errors/map", [
     `model=${model}`,
-    `x=${x.join(",")}`,
-    `y=${y.join(",")}`,
+    ...(pointwise
+      ? [
+          ...spread("x", "theta_i_deg", [0, 90], MAP_CELLS.theta),
+          ...spread("y", "n_t", n, MAP_CELLS.n),
+        ]
+      : [...spread("x", "n_t", n, MAP_CELLS.wide), ...spread("y", "k_t", k, MAP_CELLS.k)]),
     `metric=${pointwise ? state.point : state.metric}`,
     `digits=${MAP_DIGITS}`,
     ...mediaQuery(state, catalog, pointwise ? ["n_t"] : ["n_t", "k_t"]),
@@ -106,8 +123,10 @@ export function queries(state, catalog, moving = false) {
     wanted.errors = errorsPath(state, catalog);
     for (const n of state.family) wanted[`errors@${n}`] = errorsPath(state, catalog, n);
   }
-  if (isMap(state.over)) wanted.map = mapPath(state, catalog);
-  else for (const id of state.against) wanted[`sweep:${id}`] = sweepPath(state, catalog, id);
+  if (!isMap(state.over)) {
+    for (const id of state.against.filter((/** @type {string} */ one) => !hasTriple(state, one)))
+      wanted[`sweep:${id}`] = sweepPath(state, catalog, id);
+  } else if (!hasTriple(state, focused(state))) wanted.map = mapPath(state, catalog);
   wanted.recommend = recommendPath(state, catalog);
   return wanted;
 }

@@ -3,8 +3,9 @@
 import { h, setText } from "../dom.js";
 import { sample } from "../explore/sample.js";
 import { evaluate } from "../expression.js";
-import { plain } from "../format.js";
+import { percent, plain } from "../format.js";
 import { modelStyle } from "../palette.js";
+import { candidatesOf } from "./answers.js";
 import { METRICS } from "./figure.js";
 import { printCost, sayCost, short } from "./metrics.js";
 
@@ -14,7 +15,10 @@ import { printCost, sayCost, short } from "./metrics.js";
  */
 
 const BUDGETS = [0.05, 0.02, 0.005, 0.001];
-const WITHIN = ["max_abs", "rms", "cosine_weighted_mean"];
+const WITHIN = ["max_abs", "rms", "cosine_weighted_mean", "max_relative"];
+const FEW = 6;
+/** Below this an error is the rounding of doubles. */
+const ROUNDING = 1e-12;
 
 /**
  * @param {object} options
@@ -35,7 +39,7 @@ export function createRecommend({ models, state, actions }) {
   box.addEventListener("change", () => {
     try {
       const value = evaluate(box.value);
-      if (value < 0 || value > 1) throw new Error("allowed is 0 to 1");
+      if (value < 1e-9 || value > 1) throw new Error("allowed is more than 0, up to 1");
       setText(wrong, "");
       actions.set({ budget: value });
     } catch (problem) {
@@ -64,9 +68,12 @@ export function createRecommend({ models, state, actions }) {
     ...WITHIN.map((value) => h("option", { value }, METRICS[value] ?? value)),
   );
   const answer = h("ol", { class: "picks" });
+  const others = h("ol", { class: "picks" });
+  const moreSummary = h("summary", {});
+  const more = h("details", { class: "definitions", hidden: true }, moreSummary, others);
   const refused = h("ul", { class: "refused" });
   const summary = h("summary", {});
-  const rest = h("details", { class: "definitions" }, summary, refused);
+  const rest = h("details", { class: "definitions", hidden: true }, summary, refused);
   const note = h("p", { class: "reason" });
   const element = h(
     "section",
@@ -83,8 +90,16 @@ export function createRecommend({ models, state, actions }) {
     wrong,
     note,
     answer,
+    more,
     rest,
   );
+
+  /** @param {number | null} value @param {string} metric */
+  const figureOf = (value, metric) => {
+    if (value !== null && Math.abs(value) < ROUNDING) return "rounding";
+    if (metric === "max_relative" && value !== null) return percent(value);
+    return short(value === null ? null : Math.abs(value));
+  };
 
   /** @param {string} id */
   const toggle = (id) => {
@@ -98,22 +113,31 @@ export function createRecommend({ models, state, actions }) {
     });
   };
 
-  /** @param {any} entry @param {State} now */
-  function pick(entry, now) {
-    const id = entry.model;
+  /** @param {import('./answers.js').Candidate} entry @param {State} now */
+  function pick({ model: id, figures }, now) {
     const model = models.find((m) => m.id === id);
     const cost = /** @type {Record<string, number>} */ (model?.cost ?? {});
-    const on = now.against.includes(id);
+    const name = [
+      sample(modelStyle(models, id)),
+      h("span", { class: "pick-name" }, model?.title ?? id),
+    ];
+    const value = figures?.[now.within] ?? null;
     return h(
       "li",
       {},
-      h(
-        "button",
-        { type: "button", class: "pick", "aria-pressed": String(on), onclick: () => toggle(id) },
-        sample(modelStyle(models, id)),
-        h("span", { class: "pick-name" }, model?.title ?? id),
-      ),
-      h("span", { class: "pick-error" }, short(Math.abs(entry[now.within] ?? Number.NaN))),
+      id === "exact"
+        ? h("span", { class: "pick" }, ...name)
+        : h(
+            "button",
+            {
+              type: "button",
+              class: "pick",
+              "aria-pressed": String(now.against.includes(id)),
+              onclick: () => toggle(id),
+            },
+            ...name,
+          ),
+      h("span", { class: "pick-error" }, figureOf(value, now.within)),
       h("span", { class: "pick-cost", title: sayCost(cost) }, printCost(cost)),
     );
   }
@@ -134,27 +158,18 @@ export function createRecommend({ models, state, actions }) {
       if (!given || (given === last && shown === look)) return;
       last = given;
       look = shown;
-      /** @type {any[]} */
-      const good = given.recommended ?? [];
-      /** @type {any[]} */
-      const bad = given.refused ?? [];
-      answer.replaceChildren(...good.map((entry) => pick(entry, now)));
+      const { good, bad } = candidatesOf(given);
+      answer.replaceChildren(...good.slice(0, FEW).map((entry) => pick(entry, now)));
       if (good.length === 0)
         answer.append(h("li", { class: "none" }, "No model stays within that."));
+      more.hidden = good.length <= FEW;
+      setText(moreSummary, `${good.length - FEW} more, dearer ones`);
+      others.replaceChildren(...good.slice(FEW).map((entry) => pick(entry, now)));
       setText(summary, `${bad.length} refused, and why`);
       rest.hidden = bad.length === 0;
       refused.replaceChildren(
-        ...bad.map((entry) =>
-          h(
-            "li",
-            {},
-            h(
-              "b",
-              { class: "refused-name" },
-              models.find((m) => m.id === entry.model)?.title ?? entry.model,
-            ),
-            ` ${entry.reason}`,
-          ),
+        ...bad.map(({ title, reason }) =>
+          h("li", {}, h("b", { class: "refused-name" }, title), ` ${reason}`),
         ),
       );
     },

@@ -4,14 +4,15 @@ import { copyText, flash } from "../clipboard.js";
 import { h, setText } from "../dom.js";
 import { sample } from "../explore/sample.js";
 import { modelStyle } from "../palette.js";
-import { COLUMNS, price, printCost, sayCost, sorted } from "./metrics.js";
+import { COLUMNS, sayCost, sorted } from "./metrics.js";
+import { CHANNELS, traceName } from "./traces.js";
 
 /**
  * @typedef {import('../types.js').Model} Model
  * @typedef {import('./metrics.js').Row} Row
  * @typedef {import('./metrics.js').Setting} Setting
- * @typedef {{by: string, order: 'up' | 'down', focus: string, unit: 'deg' | 'rad', here: (model: string) => string, at: string}} Shown
- *   `here` is the error at the marked angle, `at` that angle
+ * @typedef {{by: string, order: 'up' | 'down', focus: string | null, unit: 'deg' | 'rad', here: (trace: string) => string, at: string,
+ *   prices: ReadonlyMap<string, number>}} Shown `here` is the error at the marked angle, `at` that angle
  */
 
 /**
@@ -30,9 +31,17 @@ export function createTable({ models, onSort, onLight, onFocus, say }) {
   /** @type {Row[]} */
   let rows = [];
   /** @type {Shown} */
-  let shown = { by: "rms", order: "up", focus: "", unit: "deg", here: () => "", at: "" };
+  let shown = {
+    by: "rms",
+    order: "up",
+    focus: null,
+    unit: "deg",
+    here: () => "",
+    at: "",
+    prices: new Map(),
+  };
   /** @returns {Setting} */
-  const setting = () => ({ unit: shown.unit, titles, costs });
+  const setting = () => ({ unit: shown.unit, titles, costs, prices: shown.prices });
 
   const here = h("span", {});
   const headings = COLUMNS.map((column) => {
@@ -73,9 +82,9 @@ export function createTable({ models, onSort, onLight, onFocus, say }) {
   copy.setAttribute("aria-label", "Copy the table of errors, in full precision");
   copy.addEventListener("click", async () => {
     const lines = order().map((row) =>
-      COLUMNS.map((c) => (c.name === "model" ? row.model : (c.value(row, setting()) ?? ""))).join(
-        "\t",
-      ),
+      COLUMNS.map((c) =>
+        c.name === "model" ? traceName(row.model, row.quantity) : (c.value(row, setting()) ?? ""),
+      ).join("\t"),
     );
     const done = await copyText(
       `${[COLUMNS.map((c) => c.name).join("\t"), ...lines].join("\n")}\n`,
@@ -96,13 +105,18 @@ export function createTable({ models, onSort, onLight, onFocus, say }) {
   /** @type {Map<string, ReturnType<typeof line>>} */
   const lines = new Map();
 
-  /** @param {string} id */
-  function line(id) {
+  /** @param {string} id @param {string} quantity */
+  function line(id, quantity) {
+    const channel = CHANNELS[quantity];
     const pick = h(
       "button",
       { type: "button", class: "pick", "aria-pressed": "false", onclick: () => onFocus(id) },
-      sample(modelStyle(models, id)),
-      h("span", { class: "pick-name" }, titles.get(id) ?? id),
+      sample({ ...modelStyle(models, id), ...(channel && { color: channel.color }) }),
+      h(
+        "span",
+        { class: "pick-name" },
+        `${titles.get(id) ?? id}${channel ? ` ${channel.label}` : ""}`,
+      ),
     );
     const reason = h("span", { class: "outside" });
     const cells = COLUMNS.slice(1).map((column) => ({
@@ -126,21 +140,22 @@ export function createTable({ models, onSort, onLight, onFocus, say }) {
     return { tr, pick, reason, cells, at };
   }
 
-  /** @param {string} id */
-  function lineOf(id) {
-    const made = lines.get(id) ?? line(id);
-    lines.set(id, made);
+  /** @param {Row} row */
+  function lineOf({ model, quantity }) {
+    const key = traceName(model, quantity);
+    const made = lines.get(key) ?? line(model, quantity);
+    lines.set(key, made);
     return made;
   }
 
   function draw() {
     const now = order();
     const elements = now.map((row) => {
-      const { tr, pick, reason, cells, at } = lineOf(row.model);
+      const { tr, pick, reason, cells, at } = lineOf(row);
       setText(reason, row.in_domain ? "" : `outside its domain: ${row.reason ?? ""}`);
       tr.toggleAttribute("data-outside", !row.in_domain);
       pick.setAttribute("aria-pressed", String(row.model === shown.focus));
-      setText(at, shown.here(row.model));
+      setText(at, shown.here(traceName(row.model, row.quantity)));
       for (const { column, td } of cells) {
         setText(td, column.print(row, setting()));
         if (column.name === "cost") td.title = sayCost(costs.get(row.model));
@@ -176,9 +191,5 @@ export function createTable({ models, onSort, onLight, onFocus, say }) {
       table.toggleAttribute("data-stale", stale);
       draw();
     },
-    /** @param {string} id */
-    price: (id) => price(costs.get(id)),
-    /** @param {string} id */
-    cost: (id) => printCost(costs.get(id)),
   };
 }

@@ -11,11 +11,16 @@ import { modelStyle } from "../palette.js";
  */
 
 /** @type {Record<string, {color: string, label: string}>} */
-const CHANNELS = {
+export const CHANNELS = {
   R_red: { color: "--red", label: "R" },
   R_green: { color: "--green", label: "G" },
   R_blue: { color: "--blue", label: "B" },
 };
+
+/** @param {string} model @param {string} quantity */
+export function traceName(model, quantity) {
+  return quantity === "R" ? model : `${model}.${quantity}`;
+}
 
 /** @param {string} title without what stands in parentheses, for the label at a curve */
 export function shortTitle(title) {
@@ -38,7 +43,7 @@ function modelTraces(curves, ids, models, x) {
         const style = modelStyle(models, id);
         const title = shortTitle(models.find((m) => m.id === id)?.title ?? id);
         return {
-          id: channel ? `${id}.${curve.quantity}` : id,
+          id: traceName(id, curve.quantity),
           label: channel ? `${title} ${channel.label}` : title,
           x,
           y: curve.values,
@@ -89,23 +94,30 @@ export function curveTraces(curves, against, models, toUnit, family = []) {
           x: own,
           y: exactOf(member.curves),
         },
-        ...modelTraces(member.curves, against, models, own)
-          // A model that knows no index has one curve for all of them.
-          .filter((t) => !sameValues(t.y, curves.curves.find((c) => c.model === t.id)?.values))
-          .map((t) => ({
-            ...t,
-            id: `${t.id}@${member.n}`,
-            label: `${t.label}, n = ${n}`,
-            width: 1.4,
-          })),
+        ...modelTraces(member.curves, against, models, own).map((t) => ({
+          ...t,
+          id: `${t.id}@${member.n}`,
+          label: `${t.label}, n = ${n}`,
+          width: 1.4,
+        })),
       ];
     });
   return [exact, ...modelTraces(curves, against, models, x), ...others];
 }
 
-/** @param {(number | null)[]} a @param {(number | null)[] | undefined} b */
-function sameValues(a, b) {
-  return b !== undefined && a.length === b.length && a.every((value, i) => value === b[i]);
+/**
+ * Without the second of two equal curves: a model that knows no index has one for all of a family.
+ * @param {readonly Trace[]} traces
+ * @returns {Trace[]}
+ */
+export function distinct(traces) {
+  return traces.filter((trace) => {
+    const [first, other] = trace.id.split("@");
+    const own = traces.find((t) => t.id === first);
+    if (other === undefined || !own) return true;
+    const known = new Map(own.x.map((x, i) => [x, own.y[i] ?? null]));
+    return trace.x.some((x, i) => known.has(x) && known.get(x) !== trace.y[i]);
+  });
 }
 
 /**
@@ -161,6 +173,7 @@ export function errorRange(traces) {
       high = Math.max(high, value);
     }
   }
+  if (low === high) return [-0.1, 0.1];
   // Rounding noise of an exact form is shown as the line that it is.
   const span = Math.max(high - low, 1e-9);
   const least = span / 4;

@@ -11,7 +11,7 @@ import { createRow } from "./row.js";
  * @typedef {import('../types.js').Model} Model
  * @typedef {import('../types.js').Parameter} Parameter
  * @typedef {import('../types.js').State} State
- * @typedef {{element: HTMLElement, update: (value: any) => void, stop: () => void}} Control
+ * @typedef {{element: HTMLElement, update: (value: any, solved?: number) => void, stop: () => void}} Control
  * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
  */
 
@@ -49,7 +49,7 @@ function numberRow(parameter, name, prefix, onChange, onSettle) {
   const range = sliderRange(parameter);
   const allowed = () =>
     `${integer ? "a whole number from " : ""}${plain(minimum)} to ${plain(maximum)}`;
-  return createRow({
+  const row = createRow({
     parameter: { ...parameter, name },
     prefix,
     preset: parameter.default,
@@ -69,6 +69,15 @@ function numberRow(parameter, name, prefix, onChange, onSettle) {
       allowed,
     },
   });
+  return {
+    element: row.element,
+    stop: row.stop,
+    /** @param {number | null} value @param {number} [solved] */
+    update(value, solved) {
+      row.update(value);
+      row.box.placeholder = solved === undefined ? "auto" : `auto ${plain(solved, 4)}`;
+    },
+  };
 }
 
 /**
@@ -134,13 +143,13 @@ function tripleControl(parameter, name, prefix, onChange, onSettle) {
   return {
     element,
     stop: () => single.stop(),
-    update(next) {
+    update(next, solved) {
       value = next;
       const several = Array.isArray(next);
       element.toggleAttribute("data-split", several);
       split.setAttribute("aria-pressed", String(several));
       if (!several) {
-        single.update(next);
+        single.update(next, solved);
         return;
       }
       boxes.forEach((box, i) => {
@@ -213,8 +222,12 @@ export function createParameters({ models, state, actions, prefix = "", heading 
 
   return {
     element,
-    /** @param {State} now @param {readonly string[]} ids of the models shown */
-    update(now, ids) {
+    /**
+     * @param {State} now
+     * @param {readonly string[]} ids of the models shown
+     * @param {ReadonlyMap<string, number>} [solved] what parameters left to the server came out as
+     */
+    update(now, ids, solved = new Map()) {
       const wanted = models.filter((m) => ids.includes(m.id) && m.parameters.length > 0);
       const entries = wanted.map(controlsOf);
       const boxes = entries.map((e) => e.box);
@@ -224,7 +237,7 @@ export function createParameters({ models, state, actions, prefix = "", heading 
       )
         element.replaceChildren(...boxes);
       for (const { controls } of entries)
-        for (const [name, control] of controls) control.update(now[name]);
+        for (const [name, control] of controls) control.update(now[name], solved.get(name));
     },
     stop() {
       for (const { controls } of made.values()) for (const c of controls.values()) c.stop();

@@ -22,8 +22,9 @@ import { readTheme } from "./theme.js";
  * @typedef {import("./model.js").Axis} Axis
  * @typedef {import("./colors.js").ScaleKind} ScaleKind
  * @typedef {{x: readonly number[], y: readonly number[], z: readonly (readonly (number | null)[])[]}} Grid
- * @typedef {{title: string, kind: ScaleKind, print: (value: number | null) => string, level?: number | null}} Values
- *   `level` is the size that a line is drawn at
+ * @typedef {{title: string, kind: ScaleKind, print: (value: number | null) => string, level?: number | null,
+ *   range?: readonly [number, number]}} Values `level` is the size that a line is drawn at, `range` what the colours span where
+ *   the data are not to say it
  * @typedef {object} MapOptions
  * @property {string} name
  * @property {Axis} x
@@ -338,7 +339,9 @@ export function createHeatmap(element, options) {
       yAxis = changes.y ?? yAxis;
       values = changes.z ?? values;
       probe = null;
-      scale = scaleOf(grid.z, values.kind);
+      scale = values.range
+        ? { kind: values.kind, low: values.range[0], high: values.range[1], capped: false }
+        : scaleOf(grid.z, values.kind);
       element.setAttribute("aria-label", name);
       placeKey();
       return settle();

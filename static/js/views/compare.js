@@ -1,9 +1,9 @@
 /** Compare: exact against the models, how wrong each is and where, and which will do. */
 
-import { rowsOf } from "../compare/answers.js";
+import { candidatesOf, rowsOf } from "../compare/answers.js";
 import { createControls } from "../compare/controls.js";
 import { createExamples } from "../compare/examples.js";
-import { compareFields, focused } from "../compare/fields.js";
+import { compareFields } from "../compare/fields.js";
 import { createFigure } from "../compare/figure.js";
 import { short } from "../compare/metrics.js";
 import { createPlots } from "../compare/plots.js";
@@ -49,7 +49,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
     say,
     onSort: (by, order) => actions.set({ sort: by, order }),
     onLight: plots.light,
-    onFocus: (model) => actions.set({ focus: model }),
+    onFocus: (model) => actions.set({ focus: state().focus === model ? null : model }),
   });
 
   element.append(
@@ -80,9 +80,9 @@ export function createView({ element, catalog, presets, state, actions, say, sav
           c.reason && c.model !== "exact" ? [[c.model, c.reason]] : [],
         ),
       );
-      controls.update(now, reasons);
+      controls.update(now, reasons, solvedOf(answers.errors));
       definitions.update(now.against);
-      const stale = moving || !answers.errors || !isOf(errors.interface, now);
+      const stale = moving || (now.against.length > 0 && !isOf(errors?.interface, now));
       examples.update(now, answers, !stale);
       plots.update(now, answers, moving);
       const here = plots.reading(now.theta_i_deg);
@@ -91,12 +91,13 @@ export function createView({ element, catalog, presets, state, actions, say, sav
         {
           by: now.sort,
           order: now.order,
-          focus: focused(now),
+          focus: now.focus,
           unit: now.angle,
           here: (id) => short(here.get(id) ?? null),
+          prices: prices(answers.recommend),
           at: angle(now.theta_i_deg, now.angle, now.angle === "deg" ? 1 : 3),
         },
-        stale && now.against.length > 0,
+        stale,
       );
       if (!moving) {
         figure.update(now, answers);
@@ -135,6 +136,23 @@ export function createView({ element, catalog, presets, state, actions, say, sav
       figure.destroy();
     },
   };
+}
+
+/** The server's weighted costs of all models. @param {any} answer of /recommend */
+function prices(answer) {
+  const { good, bad } = candidatesOf(answer);
+  return new Map([...good, ...bad].map((c) => [c.model, c.weighted_cost]));
+}
+
+/** What the parameters left to the server came out as. @param {any} errors @returns {Map<string, number>} */
+function solvedOf(errors) {
+  return new Map(
+    rowsOf(errors).flatMap((row) =>
+      Object.entries(row.parameters ?? {}).flatMap(([name, value]) =>
+        value === null ? [] : [[`${row.model}.${name}`, value]],
+      ),
+    ),
+  );
 }
 
 /** @param {{n_i: number, n_t: number, k_t: number} | undefined} media @param {State} now */
