@@ -11,7 +11,7 @@ import { plain } from "./format.js";
 import { toCsv } from "./plot/csv.js";
 import { exportFigure, imageOf } from "./plot/export.js";
 import { createFastPath } from "./plot/fast.js";
-import { CONFIG, plotlyLayout, plotlyTraces, unitSuffix } from "./plot/figure.js";
+import { bandShapes, CONFIG, plotlyLayout, plotlyTraces, unitSuffix } from "./plot/figure.js";
 import { arrange } from "./plot/layout.js";
 import { drawLegend } from "./plot/legend.js";
 import { createOverlay, MOST_LABELS } from "./plot/overlay.js";
@@ -22,6 +22,7 @@ import { readTheme } from "./plot/theme.js";
 /** @typedef {import("./plot/model.js").Trace} Trace */
 /** @typedef {import("./plot/model.js").Mark} Mark */
 /** @typedef {import("./plot/model.js").Axis} Axis */
+/** @typedef {import("./plot/model.js").Band} Band */
 /** @typedef {import("./plot/model.js").Point} Point */
 /** @typedef {import("./plot/layout.js").Arrangement} Arrangement */
 
@@ -37,7 +38,7 @@ import { readTheme } from "./plot/theme.js";
 
 /**
  * @typedef {object} Plot
- * @property {(traces: readonly Trace[], marks?: readonly Mark[]) => Promise<void>} draw
+ * @property {(traces: readonly Trace[], marks?: readonly Mark[], bands?: readonly Band[]) => Promise<void>} draw
  * @property {(traces: readonly Trace[], marks?: readonly Mark[]) => void} fast
  * @property {(x: number | null, points?: readonly Point[]) => void} marker
  * @property {(changes: Partial<Pick<PlotOptions, "name" | "x" | "y" | "y2">>) => void} axes
@@ -132,6 +133,8 @@ export function createPlot(element, options) {
   let traces = [];
   /** @type {readonly Mark[]} */
   let marks = [];
+  /** @type {readonly Band[]} */
+  let bands = [];
   /** @type {{x: number | null, points: readonly Point[]}} */
   let marker = { x: null, points: [] };
   /** @type {Arrangement | null} */
@@ -157,7 +160,7 @@ export function createPlot(element, options) {
     handle.hidden = !visible;
     if (!visible || x === null) return;
     const value = axisValue(axes.x, x);
-    handle.textContent = value;
+    if (handle.textContent !== value) handle.textContent = value;
     handle.style.transform = `translate(${arrangement.xPixel(x)}px, ${frame.y + frame.height + 4}px) translateX(-50%)`;
     if (!options.onPick) return;
     handle.setAttribute("aria-valuenow", String(x));
@@ -201,7 +204,11 @@ export function createPlot(element, options) {
       canvas,
       plotlyTraces(traces, theme),
       // The fast path changes what is on the page behind Plotly's back: never let it compare.
-      { ...plotlyLayout(axes, arrangement, theme), datarevision: own },
+      {
+        ...plotlyLayout(axes, arrangement, theme),
+        shapes: bandShapes(bands, theme),
+        datarevision: own,
+      },
       CONFIG,
     );
     delete element.dataset.fast;
@@ -247,9 +254,10 @@ export function createPlot(element, options) {
   };
 
   /** @type {Plot["draw"]} */
-  const draw = (next, nextMarks = []) => {
+  const draw = (next, nextMarks = [], nextBands = []) => {
     traces = next;
     marks = nextMarks;
+    bands = nextBands;
     const now = marks.find((mark) => mark.kind === "current");
     if (now) marker = { ...marker, x: now.x };
     showLegend();
@@ -305,7 +313,7 @@ export function createPlot(element, options) {
     draw,
     fast: (next, nextMarks) => {
       if (!staysInRange(next) || !fastPath.write(next)) {
-        void draw(next, nextMarks ?? marks);
+        void draw(next, nextMarks ?? marks, bands);
         return;
       }
       element.dataset.fast = "";
@@ -342,7 +350,15 @@ export function createPlot(element, options) {
               { x: marker.x, label: "", kind: /** @type {const} */ ("current") },
             ];
       return imageOf(
-        exportFigure({ title: name, traces, marks: valued(shown, axes.x), axes, theme, size }),
+        exportFigure({
+          title: name,
+          traces,
+          marks: valued(shown, axes.x),
+          bands,
+          axes,
+          theme,
+          size,
+        }),
         format,
       );
     },

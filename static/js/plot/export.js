@@ -2,7 +2,7 @@
 
 import { createMeasure } from "../draw/measure.js";
 import { plainText, plotlyText } from "../draw/symbols.js";
-import { CONFIG, plotlyLayout, plotlyTraces } from "./figure.js";
+import { bandShapes, CONFIG, plotlyLayout, plotlyTraces } from "./figure.js";
 import { fontFaces, rasterized, withStyle } from "./image.js";
 import { placeLabels } from "./labels.js";
 import { arrange } from "./layout.js";
@@ -23,12 +23,13 @@ const PADDING = 12;
  * @param {string} picture.title
  * @param {readonly Trace[]} picture.traces
  * @param {readonly Mark[]} picture.marks
+ * @param {readonly import("./model.js").Band[]} [picture.bands]
  * @param {import("./layout.js").Axes} picture.axes
  * @param {import("./theme.js").Theme} picture.theme
  * @param {import("./model.js").Size} picture.size
  * @returns {Plotly.Figure}
  */
-export function exportFigure({ title, traces, marks, axes, theme, size }) {
+export function exportFigure({ title, traces, marks, bands = [], axes, theme, size }) {
   const { family, symbolFamily } = theme;
   const text = createMeasure({ family, symbolFamily, size: 12 });
   const label = createMeasure({ family, symbolFamily, size: 13, symbolSize: LABEL_SIZE });
@@ -62,7 +63,9 @@ export function exportFigure({ title, traces, marks, axes, theme, size }) {
       font,
     });
   };
-  const shapes = landmarks.map((mark) => ({
+  /** @type {Record<string, unknown>[]} */
+  const shapes = bandShapes(bands, theme);
+  const uprights = landmarks.map((mark) => ({
     type: "line",
     xref: "x",
     yref: "paper",
@@ -73,6 +76,7 @@ export function exportFigure({ title, traces, marks, axes, theme, size }) {
     layer: "below",
     line: { color: theme.muted, width: 1, dash: "2px,3px" },
   }));
+  shapes.push(...uprights);
   const names = placeMarkNames({
     frame,
     reserved: PADDING + text(axes.y.title),

@@ -1,6 +1,6 @@
 /** How a plot is laid out on its area: margins, frame, ranges, ticks, and values to pixels. */
 
-import { axisTicks, roundRange } from "./ticks.js";
+import { axisTicks, logTicks, roundRange } from "./ticks.js";
 
 /** @typedef {import("./model.js").Trace} Trace */
 /** @typedef {import("./model.js").Axis} Axis */
@@ -99,11 +99,18 @@ export function arrange({
   /** @param {Tick[]} ticks */
   const widest = (ticks) => Math.max(0, ...ticks.map((tick) => measure(tick.label)));
   const left =
-    padding + Math.ceil(Math.max(widest(yTicks), (axes.y.labels ?? 0) * unit)) + 10 * unit;
+    padding + Math.ceil(Math.max(widest(yTicks), (axes.y.labels ?? 0) * unit)) + 12 * unit;
   const right = padding + (second ? Math.ceil(widest(y2Ticks)) + 14 * unit : 18 * unit);
   const width = Math.max(size.width - left - right, 20);
   const xRange = axisRange(axes.x, []);
-  const xTicks = axisTicks(axes.x, xRange, width, (narrow ? X_SPACING - 6 : X_SPACING) * unit);
+  const log = axes.x.scale === "log";
+  const xSpacing = (narrow ? X_SPACING - 6 : X_SPACING) * unit;
+  const xTicks =
+    log && !axes.x.ticks
+      ? logTicks(xRange, width, xSpacing)
+      : axisTicks(axes.x, xRange, width, xSpacing);
+  const [xLow, xHigh] = log ? xRange.map(Math.log10) : xRange;
+  const xSpan = (xHigh ?? 1) - (xLow ?? 0);
 
   const frame = { x: left, y: top, width, height };
   const ranges = {
@@ -122,12 +129,14 @@ export function arrange({
     padding,
     marksRow,
     xPixel: (value) =>
-      frame.x + ((value - ranges.x[0]) / (ranges.x[1] - ranges.x[0])) * frame.width,
+      frame.x + (((log ? Math.log10(value) : value) - (xLow ?? 0)) / xSpan) * frame.width,
     yPixel: (value, axis = "y") => {
       const [low, high] = (axis === "y2" && ranges.y2) || ranges.y;
       return frame.y + ((high - value) / (high - low)) * frame.height;
     },
-    xValue: (pixel) =>
-      ranges.x[0] + ((pixel - frame.x) / frame.width) * (ranges.x[1] - ranges.x[0]),
+    xValue: (pixel) => {
+      const value = (xLow ?? 0) + ((pixel - frame.x) / frame.width) * xSpan;
+      return log ? 10 ** value : value;
+    },
   };
 }

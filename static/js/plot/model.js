@@ -24,6 +24,14 @@
  * @property {string} [short] its symbol, where it is named beside a value
  * @property {number} [labels] least room for the labels of its ticks in px, so that frames of several plots align
  * @property {{step: number, fine: number, page: number}} [steps] of the keyboard
+ * @property {"log"} [scale] of x alone: equal ratios stand equally far apart
+ *
+ * @typedef {object} Band what several curves span, behind them all
+ * @property {string} id
+ * @property {readonly number[]} x
+ * @property {readonly (number | null)[]} low
+ * @property {readonly (number | null)[]} high
+ * @property {string} color name of a CSS custom property
  *
  * @typedef {{width: number, height: number}} Size
  * @typedef {{left: number, right: number, top: number, bottom: number}} Margins

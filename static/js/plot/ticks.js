@@ -83,6 +83,41 @@ export function axisTicks(axis, range, length, spacing) {
 }
 
 /**
+ * Ticks of a logarithmic axis: 1, 2 and 5 of each decade, or 1 alone, or every second decade ...
+ * @param {readonly [number, number]} range
+ * @param {number} length px
+ * @param {number} spacing smallest distance of two ticks in px
+ * @returns {Tick[]}
+ */
+export function logTicks(range, length, spacing) {
+  const [low, high] = [Math.min(...range), Math.max(...range)];
+  const decades = Math.log10(high / low) || 1;
+  const decade = length / decades;
+  /** @param {readonly number[]} factors @param {number} every */
+  const at = (factors, every) => {
+    const values = [];
+    const first = Math.floor(Math.log10(low));
+    for (let power = first; power <= Math.log10(high); power += 1) {
+      if (power % every !== 0) continue;
+      for (const factor of factors) {
+        const value = Number((factor * 10 ** power).toPrecision(6));
+        if (value >= low * (1 - 1e-9) && value <= high * (1 + 1e-9)) values.push(value);
+      }
+    }
+    return values;
+  };
+  const sets = [
+    { factors: [1, 2, 3, 4, 5, 6, 7, 8, 9], apart: Math.log10(10 / 9) },
+    { factors: [1, 2, 3, 5, 7], apart: Math.log10(7 / 5) },
+    { factors: [1, 2, 5], apart: Math.log10(2) },
+    { factors: [1, 3], apart: Math.log10(3) },
+  ];
+  const dense = sets.find(({ apart }) => apart * decade >= spacing);
+  const every = dense ? 1 : Math.max(1, Math.ceil(spacing / decade - 1e-9));
+  return at(dense?.factors ?? [1], every).map((value) => ({ value, label: plain(value, 12) }));
+}
+
+/**
  * A range that holds all values and ends at round numbers.
  * @param {Iterable<readonly (number | null)[]>} series
  * @returns {[number, number]}
