@@ -1,0 +1,124 @@
+/** The columns of the table of presets, and how it is sorted. */
+
+import { plain, significant } from "../format.js";
+import { byColumn } from "../sorted.js";
+
+/**
+ * @typedef {object} Preset as `/materials` lists it
+ * @property {string} id
+ * @property {string} name
+ * @property {string} category
+ * @property {string} kind
+ * @property {string | null} rival_of
+ * @property {number} n
+ * @property {number | null} n_min
+ * @property {number | null} n_max
+ * @property {number | null} k
+ * @property {number | null} wavelength_nm
+ * @property {[number, number] | null} n_range_nm
+ * @property {string} confidence
+ * @property {string} sample
+ * @property {string} source
+ * @property {number} F0
+ * @property {{luminance: number}} color
+ * @property {{gamut: string, hex: string | null}} swatch
+ *
+ * @typedef {object} Column
+ * @property {string} name
+ * @property {string} heading
+ * @property {string} note
+ * @property {(preset: Preset) => number | string | null} value to sort by
+ * @property {(preset: Preset) => string} print
+ */
+
+const CONFIDENCE = ["low", "medium", "high"];
+
+/** A wavelength as it is written in a table. @param {number} nm */
+export function length(nm) {
+  if (nm >= 1e6) return `${plain(nm / 1e6, 3)}\u00a0mm`;
+  if (nm >= 10_000) return `${plain(nm / 1e3, 3)}\u00a0µm`;
+  return `${plain(nm, 4)}\u00a0nm`;
+}
+
+/** From where to where, with the unit once where it is the same. @param {readonly [number, number]} range */
+export function stretch([low, high]) {
+  if (low === high) return length(low);
+  const [a, b] = [length(low), length(high)];
+  const [number = "", unit] = a.split("\u00a0");
+  return unit === b.split("\u00a0")[1] ? `${number}–${b}` : `${a} – ${b}`;
+}
+
+/** A coefficient in the width of a column: what is too weak to see keeps its power of ten. @param {number | null} x */
+function narrow(x) {
+  if (x === null) return "–";
+  if (x === 0) return "0";
+  return Math.abs(x) < 1e-3 ? significant(x, 2) : plain(x, 4);
+}
+
+/** @type {Column[]} */
+export const COLUMNS = [
+  {
+    name: "name",
+    heading: "material",
+    note: "",
+    value: (m) => m.name,
+    print: (m) => m.name,
+  },
+  {
+    name: "n",
+    heading: "n",
+    note: "at the reference wavelength; where the source gives a range, its middle",
+    value: (m) => m.n,
+    print: (m) =>
+      m.n_min !== null && m.n_max !== null
+        ? `${plain(m.n_min, 4)}–${plain(m.n_max, 4)}`
+        : m.n < 1.01 && m.n > 1
+          ? plain(m.n, 7)
+          : plain(m.n, 5),
+  },
+  {
+    name: "k",
+    heading: "k",
+    note: "extinction at the reference wavelength; – where the source gives none",
+    value: (m) => m.k,
+    print: (m) => narrow(m.k),
+  },
+  {
+    name: "F0",
+    heading: "Y",
+    note: "luminous reflectance at normal incidence from vacuum, under D65",
+    value: (m) => m.color.luminance,
+    print: (m) =>
+      m.color.luminance < 5e-4
+        ? m.color.luminance === 0
+          ? "0"
+          : "< 0.001"
+        : m.color.luminance.toFixed(3),
+  },
+  {
+    name: "range",
+    heading: "known",
+    note: "wavelengths at which n is known; sorted by their shortest",
+    value: (m) => m.n_range_nm?.[0] ?? m.wavelength_nm,
+    print: (m) => (m.n_range_nm ? stretch(m.n_range_nm) : "–"),
+  },
+  {
+    name: "confidence",
+    heading: "confidence",
+    note: "how far to trust the data: sample, agreement with others, range",
+    value: (m) => CONFIDENCE.indexOf(m.confidence),
+    print: (m) => m.confidence,
+  },
+];
+
+/**
+ * Presets by a column; `match` keeps the server's order, best matches first.
+ * @param {readonly Preset[]} presets
+ * @param {string} by
+ * @param {'up' | 'down'} order
+ * @returns {Preset[]}
+ */
+export function sortedPresets(presets, by, order) {
+  const column = COLUMNS.find((c) => c.name === by);
+  return column ? byColumn(presets, column.value, order) : [...presets];
+}

@@ -1,0 +1,83 @@
+/** The state that the Materials view adds to the one all views share. */
+
+import { choice, LinkError, number } from "../state.js";
+import { COLUMNS } from "./columns.js";
+
+/**
+ * @typedef {import('../types.js').Catalog} Catalog
+ * @typedef {import('../state.js').Field} Field
+ */
+
+/** The wavelengths of Shirley's figure of copper, in nm. */
+export const SHIRLEY_NM = Object.freeze([400, 500, 600, 700, 800]);
+/** Where wavelengths are looked at: from the far ultraviolet to radio, whatever a source covers. */
+const NM = { minimum: 1, maximum: 1e9 };
+const MOST_WAVELENGTHS = 12;
+const FIRST = "Au";
+
+/** What a reader is looking for. @returns {Field} */
+function words() {
+  return {
+    default: "",
+    parse(text) {
+      if (text.length > 100) throw new LinkError("it is too long");
+      return text;
+    },
+    print: String,
+  };
+}
+
+/** Several wavelengths; null stands for those of Shirley's figure that the material covers. @returns {Field} */
+export function wavelengths() {
+  const one = number({ default: null, ...NM });
+  return {
+    default: null,
+    parse(text) {
+      const values = text
+        .split(/[\s,;]+/)
+        .filter(Boolean)
+        .map((part) => one.parse(part));
+      const distinct = [...new Set(values)].sort((a, b) => a - b);
+      if (distinct.length === 0) throw new LinkError("allowed are wavelengths in nm");
+      if (distinct.length > MOST_WAVELENGTHS)
+        throw new LinkError(`at most ${MOST_WAVELENGTHS} wavelengths`);
+      return Object.freeze(distinct);
+    },
+    print: (value) => value?.join(",") ?? "",
+  };
+}
+
+/** One of many ids. @param {string[]} ids @returns {Field} */
+function known(ids) {
+  return {
+    default: ids.includes(FIRST) ? FIRST : ids[0],
+    parse(text) {
+      if (!ids.includes(text)) throw new LinkError("the catalog has no preset of this id");
+      return text;
+    },
+    print: String,
+  };
+}
+
+/** @param {Catalog} catalog @returns {Record<string, Field>} */
+export function materialFields({ materials }) {
+  const ids = materials.map((m) => m.id);
+  const categories = [...new Set(materials.map((m) => m.category))];
+  return {
+    preset: known(ids),
+    find: words(),
+    category: choice("all", ["all", ...categories]),
+    of_kind: choice("all", ["all", "spectrum", "single"]),
+    list_by: choice("match", ["match", ...COLUMNS.map((c) => c.name)]),
+    list_order: choice("up", ["up", "down"]),
+    at_nm: number({ default: null, ...NM }),
+    nm: wavelengths(),
+    plot_of: choice("nk", ["nk", "F0"]),
+    reach: choice("visible", ["visible", "all"]),
+    lambda_axis: choice("linear", ["linear", "log"]),
+    rivals: choice("shown", ["shown", "hidden"]),
+    map_of: choice("R", ["R", "Rs", "Rp"]),
+    gamut: choice("scaled", ["scaled", "clamped", "unclamped"]),
+    illuminant: choice("D65", ["D65", "E"]),
+  };
+}

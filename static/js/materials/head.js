@@ -1,0 +1,71 @@
+/** The name of the chosen preset, what it is, and where to go with it. */
+
+import { h, setText } from "../dom.js";
+import { stretch } from "./columns.js";
+
+/** @typedef {import('../types.js').State} State */
+
+const TARGETS = /** @type {const} */ ([
+  ["explore", "Explore"],
+  ["compare", "Compare"],
+  ["albedo", "Albedo"],
+]);
+/** @type {Record<string, string>} */
+const SAMPLES = {
+  bulk: "bulk sample",
+  film: "film",
+  model: "fitted model",
+  calculated: "calculated",
+  unstated: "sample not stated",
+};
+/** @type {Record<string, string>} */
+const AXES = { o: "ordinary ray", e: "extraordinary ray" };
+
+/** @param {{set: (patch: State) => void}} actions */
+export function createHead(actions) {
+  const name = h("h2", { class: "material-name", tabindex: "-1" });
+  const about = h("p", { class: "material-about" });
+  let id = "";
+  const links = TARGETS.map(([view, title]) => {
+    const link = h("a", { class: "use" }, title);
+    link.addEventListener("click", (event) => {
+      if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+      event.preventDefault();
+      actions.set({ view, material: id });
+    });
+    return { view, link };
+  });
+  const element = h(
+    "header",
+    { class: "material-head" },
+    h("div", {}, name, about),
+    h(
+      "nav",
+      { class: "uses", "aria-label": "Use this material" },
+      h("span", {}, "use in"),
+      ...links.map((l) => l.link),
+    ),
+  );
+  return {
+    element,
+    name,
+    /** @param {any} detail */
+    update(detail) {
+      id = detail.id;
+      setText(name, detail.name);
+      const words = [
+        detail.category,
+        AXES[detail.axis],
+        SAMPLES[detail.sample],
+        `confidence ${detail.confidence}`,
+        detail.n_range_nm ? `known ${stretch(detail.n_range_nm)}` : "",
+        detail.abbe === null ? "" : `Abbe number ${detail.abbe.toFixed(1)}`,
+      ];
+      setText(about, words.filter(Boolean).join(" · "));
+      for (const { view, link } of links) {
+        const own = `material=${encodeURIComponent(detail.id)}`;
+        link.href = view === "explore" ? `?${own}` : `?view=${view}&${own}`;
+      }
+    },
+  };
+}

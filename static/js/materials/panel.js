@@ -1,0 +1,76 @@
+/** A figure with its heading, its controls, what went wrong with it, its files and its data table. */
+
+import { h, setText } from "../dom.js";
+
+/**
+ * @typedef {{exportAs: (format: 'png' | 'svg' | 'csv') => Promise<Blob>, table: () => HTMLTableElement,
+ *   theme: () => void, destroy: () => void}} Figure
+ * @typedef {ReturnType<typeof createPanel>} Panel
+ */
+
+/**
+ * @param {object} options
+ * @param {string} options.title
+ * @param {string} options.name of its class
+ * @param {(Node | null)[]} [options.controls]
+ * @param {HTMLElement[]} options.hosts of the plots, one below or beside the other
+ * @param {() => Figure[]} options.figures made after the panel stands in the document
+ * @param {() => string} options.filename without ending
+ * @param {(name: string, blob: Blob) => void} options.save
+ */
+export function createPanel({ title, name, controls = [], hosts, figures, filename, save }) {
+  const exports = h(
+    "p",
+    { class: "exports" },
+    .../** @type {const} */ (["png", "svg", "csv"]).map((kind) =>
+      h(
+        "button",
+        {
+          type: "button",
+          class: "quiet",
+          "aria-label": `Save “${title}” as ${kind.toUpperCase()}`,
+          onclick: async () => {
+            const all = figures();
+            for (const [index, figure] of all.entries()) {
+              const part = all.length > 1 ? `-${index + 1}` : "";
+              save(`${filename()}${part}.${kind}`, await figure.exportAs(kind));
+            }
+          },
+        },
+        kind.toUpperCase(),
+      ),
+    ),
+  );
+  const heading = h("h2", {}, title);
+  const problem = h("p", { class: "row-error", role: "alert" });
+  const note = h("p", { class: "hint" });
+  const tables = h("div", { class: "plot-table" });
+  const dataTable = h("details", { class: "definitions" }, h("summary", {}, "As a table"), tables);
+  const area = h("div", { class: "figure-row" }, ...hosts);
+  const element = h(
+    "section",
+    { class: `column sheet ${name}`, "aria-label": title },
+    h("div", { class: "heading" }, heading, exports),
+    h("div", { class: "sheet-controls" }, ...controls),
+    problem,
+    area,
+    note,
+    dataTable,
+  );
+  function fill() {
+    if (dataTable.open) tables.replaceChildren(...figures().map((f) => f.table()));
+  }
+  dataTable.addEventListener("toggle", fill);
+  return {
+    element,
+    fill,
+    /** @param {Node | string} text */
+    note: (text) => note.replaceChildren(text),
+    /** @param {{lines: string[], title: string} | undefined} what */
+    problem: (what) => setText(problem, what ? what.lines.join(" ") || what.title : ""),
+    /** @param {boolean} hidden */
+    hide(hidden) {
+      element.hidden = hidden;
+    },
+  };
+}

@@ -1,0 +1,115 @@
+/** What the Materials view asks the server for. */
+
+/**
+ * @typedef {import('../types.js').Catalog} Catalog
+ * @typedef {import('../types.js').State} State
+ * @typedef {import('./columns.js').Preset} Preset
+ */
+
+/** A cell's color needs no more digits. */
+const MAP_DIGITS = 4;
+const MAP_CELLS = { theta: 91, lambda: 201 };
+/** RGB models beside the spectrum. */
+const MODELS = "schlick,f82_tint,exact";
+/** An index that stands for itself, without a spectrum, is seen by the models that take one. */
+const INDEX_MODELS = "exact,schlick";
+
+/** @param {string} route @param {(string | false | null)[]} parts */
+function path(route, parts) {
+  const query = parts.filter(Boolean).join("&");
+  return query ? `${route}?${query}` : route;
+}
+
+/** @param {Catalog} catalog @param {string} id @returns {Preset | undefined} */
+export function presetOf({ materials }, id) {
+  return /** @type {Preset | undefined} */ (
+    /** @type {unknown} */ (materials.find((m) => m.id === id))
+  );
+}
+
+/** Other measurements of the same material. @param {Catalog} catalog @param {string} id @returns {string[]} */
+export function rivalsOf(catalog, id) {
+  const own = presetOf(catalog, id);
+  const root = own?.rival_of ?? id;
+  return /** @type {Preset[]} */ (/** @type {unknown} */ (catalog.materials))
+    .filter((m) => (m.id === root || m.rival_of === root) && m.id !== id)
+    .map((m) => m.id);
+}
+
+/** @param {State} state */
+export function listPath({ find, category, of_kind, gamut }) {
+  return path("/materials", [
+    find.trim() !== "" && `q=${encodeURIComponent(find.trim())}`,
+    category !== "all" && `category=${category}`,
+    of_kind !== "all" && `kind=${of_kind}`,
+    gamut === "clamped" && "gamut=clamped",
+  ]);
+}
+
+/** @param {State} state */
+function detailPath({ preset, at_nm, gamut, illuminant }) {
+  return path(`/materials/${preset}`, [
+    at_nm !== null && `wavelength_nm=${at_nm}`,
+    gamut !== "scaled" && `gamut=${gamut}`,
+    illuminant !== "D65" && `illuminant=${illuminant}`,
+  ]);
+}
+
+/** @param {State} state */
+function anglesPath({ preset, nm }) {
+  return path(`/materials/${preset}/curves`, [nm && `wavelengths_nm=${nm.join(",")}`, "rgb=false"]);
+}
+
+/** @param {State} state */
+function colorsPath({ preset, gamut, illuminant }) {
+  return path(`/materials/${preset}/curves`, [
+    `models=${MODELS}`,
+    gamut !== "unclamped" && `gamut=${gamut}`,
+    illuminant !== "D65" && `illuminant=${illuminant}`,
+  ]);
+}
+
+/** @param {State} state */
+function mapPath({ preset, map_of }) {
+  return path(`/materials/${preset}/map`, [
+    map_of !== "R" && `quantity=${map_of}`,
+    `samples=${MAP_CELLS.theta}`,
+    `steps=${MAP_CELLS.lambda}`,
+    `digits=${MAP_DIGITS}`,
+  ]);
+}
+
+/**
+ * Paths by name. While one walks through the table only the list and the preset itself are asked for.
+ * @param {State} state
+ * @param {Catalog} catalog
+ * @param {boolean} [moving]
+ * @returns {Record<string, string>}
+ */
+export function queries(state, catalog, moving = false) {
+  const preset = presetOf(catalog, state.preset);
+  /** @type {Record<string, string>} */
+  const wanted = { list: listPath(state), detail: detailPath(state) };
+  if (moving || !preset) return wanted;
+  wanted.index = `/curves?n_t=${preset.n}&models=${INDEX_MODELS}`;
+  if (preset.kind !== "spectrum") return wanted;
+  wanted.spectrum = `/materials/${preset.id}/spectrum`;
+  wanted.angles = anglesPath(state);
+  wanted.colors = colorsPath(state);
+  wanted.map = mapPath(state);
+  if (state.rivals === "shown")
+    for (const id of rivalsOf(catalog, preset.id))
+      if (presetOf(catalog, id)?.kind === "spectrum")
+        wanted[`rival:${id}`] = `/materials/${id}/spectrum`;
+  return wanted;
+}
+
+/** @param {State} state @param {Catalog} catalog @returns {string[]} */
+export function restCalls(state, catalog) {
+  const { list, detail, spectrum, angles, colors, map, index } = queries(state, catalog);
+  const filtered = list !== "/materials";
+  const own = spectrum ? [spectrum, angles, colors, map] : [index];
+  return [filtered ? list : null, detail, ...own].filter(
+    (one) => one !== null && one !== undefined,
+  );
+}

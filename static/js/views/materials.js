@@ -1,0 +1,151 @@
+/** Materials: the catalog, and all that is known of the chosen preset. */
+
+import { h } from "../dom.js";
+import { percent, plain } from "../format.js";
+import { createAngles } from "../materials/angles.js";
+import { createBrowser } from "../materials/browser.js";
+import { createColors } from "../materials/colors.js";
+import { createExamples } from "../materials/examples.js";
+import { materialFields } from "../materials/fields.js";
+import { createHead } from "../materials/head.js";
+import { createMap } from "../materials/map.js";
+import { createNumbers } from "../materials/numbers.js";
+import { presetOf } from "../materials/queries.js";
+import { createRivals, createSource } from "../materials/source.js";
+import { createSpectrum } from "../materials/spectrum.js";
+import { loadStyle } from "../style.js";
+
+export { queries, restCalls } from "../materials/queries.js";
+export const fields = materialFields;
+
+/**
+ * @typedef {import('../types.js').State} State
+ * @typedef {import('../types.js').ViewContext} ViewContext
+ */
+
+await Promise.all(["heatmap", "materials"].map((name) => loadStyle(`css/${name}.css`)));
+
+/** A view narrower than this shows the catalog above the preset. */
+const NARROW = "(max-width: 900px)";
+
+/** @param {ViewContext} context */
+export function createView({ element, catalog, actions, state, say, save }) {
+  /** @param {string} id @param {boolean} moving */
+  function pick(id, moving) {
+    actions.set({ preset: id, ...kept(state(), id) }, { history: moving ? "replace" : "push" });
+    if (!moving && matchMedia(NARROW).matches) {
+      detail.scrollIntoView({ block: "start" });
+      head.name.focus({ preventScroll: true });
+    }
+  }
+
+  /** Wavelengths that the next material is not known at are let go. @param {State} now @param {string} id */
+  function kept({ at_nm, nm }, id) {
+    const [low, high] = presetOf(catalog, id)?.n_range_nm ?? [Infinity, -Infinity];
+    /** @param {number} value */
+    const outside = (value) => value < low || value > high;
+    return {
+      ...(at_nm !== null && outside(at_nm) && { at_nm: null }),
+      ...(nm?.some(outside) && { nm: null }),
+    };
+  }
+
+  const browser = createBrowser({ catalog, actions, onPick: pick });
+  const head = createHead(actions);
+  const numbers = createNumbers({ actions, say });
+  const examples = createExamples({
+    onShow: actions.set,
+    onReveal: (name) => detail.querySelector(`.${name}`)?.scrollIntoView({ block: "nearest" }),
+  });
+  const source = createSource(say);
+  const rivals = createRivals((id) => pick(id, false));
+  const detail = h("div", { class: "material", role: "region", "aria-label": "Material" });
+  element.append(browser.element, detail);
+  const spectrum = createSpectrum({ catalog, actions, save });
+  const angles = createAngles({ actions, save });
+  const colors = createColors({ catalog, actions, save });
+  const map = createMap({ actions, save });
+  const figures = [spectrum, angles, map];
+  detail.append(
+    examples.element,
+    head.element,
+    numbers.element,
+    h(
+      "div",
+      { class: "sheets" },
+      spectrum.panel.element,
+      angles.panel.element,
+      colors.panel.element,
+      map.panel.element,
+      h("div", { class: "beside" }, rivals.element, source.element),
+    ),
+  );
+
+  /** @type {Record<string, {title: string, lines: string[]} | undefined>} what went wrong, by the query's name */
+  const problems = {};
+  /** @type {Record<string, any>} */
+  let before = {};
+
+  function showProblems() {
+    numbers.problem(problems.detail);
+    spectrum.panel.problem(problems.spectrum);
+    angles.panel.problem(problems.angles);
+    colors.panel.problem(problems.colors ?? problems.index);
+    map.panel.problem(problems.map);
+  }
+
+  return {
+    /** @param {State} now @param {Record<string, any>} answers */
+    update(now, answers) {
+      for (const name of Object.keys(problems))
+        if (answers[name] !== before[name]) delete problems[name];
+      before = answers;
+      browser.update(now, answers.list);
+      examples.update(now);
+      numbers.choices(now);
+      const preset = presetOf(catalog, now.preset);
+      const spectral = preset?.kind === "spectrum";
+      for (const { panel } of figures) panel.hide(!spectral);
+      const known = answers.detail?.id === now.preset ? answers.detail : null;
+      if (known) {
+        head.update(known);
+        numbers.update(known, now);
+        source.update(known);
+        rivals.update(known);
+      }
+      const at = now.at_nm ?? preset?.wavelength_nm ?? null;
+      if (spectral) {
+        spectrum.update(now, answers, at);
+        angles.update(now, answers.angles);
+        map.update(now, answers.map, at);
+      }
+      colors.update(now, answers);
+      showProblems();
+    },
+
+    /** @param {State} now @param {Record<string, any>} answers */
+    sentence(now, { detail: known }) {
+      if (known?.id !== now.preset) return "";
+      const { n, k, F0, wavelength_nm } = known.constants;
+      const at = wavelength_nm === null ? "" : ` at ${plain(wavelength_nm)} nanometers`;
+      return `${known.name}${at}: n ${plain(n, 5)}, k ${k === null ? "not given" : plain(k, 4)}, ${percent(F0)} reflected at normal incidence.`;
+    },
+
+    /** @param {string} name @param {{title: string, lines: string[]}} problem */
+    problem(name, problem) {
+      if (name === "list") return false;
+      if (name.startsWith("rival:")) return true;
+      problems[name] = problem;
+      showProblems();
+      return true;
+    },
+
+    theme() {
+      for (const one of [...figures, colors]) one.theme();
+    },
+    deactivate() {},
+    destroy() {
+      for (const one of [...figures, colors]) one.destroy();
+    },
+  };
+}
