@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import Annotated
 
 import typer
-import uvicorn
 
-from app import __version__
+from app import __version__, server
 from app.main import create_app
 from app.settings import Settings
 
@@ -44,8 +43,12 @@ def serve(
     """Serve the page and the API until interrupted."""
     given = {"host": host, "port": port}
     settings = Settings.model_validate({k: v for k, v in given.items() if v is not None})
-    typer.echo(f"Fresnel Explorer {__version__} at http://{settings.host}:{settings.port}")
-    uvicorn.run(create_app(settings), host=settings.host, port=settings.port, log_level="warning")
+    server.serve(
+        create_app(settings),
+        settings.host,
+        settings.port,
+        announce=lambda url: typer.echo(f"Fresnel Explorer {__version__} at {url}"),
+    )
 
 
 def main() -> None:

@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import MutableMapping
+from functools import lru_cache
+from mimetypes import guess_type
 from pathlib import Path
 from typing import Any
 
+import rcssmin
+import rjsmin
 from starlette.datastructures import MutableHeaders
 from starlette.exceptions import HTTPException
+from starlette.requests import Request
 from starlette.responses import Response
-from starlette.staticfiles import StaticFiles
+from starlette.staticfiles import PathLike, StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from app.ready import ReadyBody
 
 _CONTENT_SECURITY_POLICY = "; ".join(
     [
@@ -28,17 +36,20 @@ _CONTENT_SECURITY_POLICY = "; ".join(
     ]
 )
 
-SECURITY_HEADERS = {
+SECURITY_HEADERS = {"X-Content-Type-Options": "nosniff"}
+"""On every answer."""
+
+DOCUMENT_SECURITY_HEADERS = {
     "Content-Security-Policy": _CONTENT_SECURITY_POLICY,
-    "X-Content-Type-Options": "nosniff",
     "Referrer-Policy": "no-referrer",
     "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
     "Cross-Origin-Opener-Policy": "same-origin",
 }
+"""On documents; browsers heed them on nothing else, and the page consists of many small files."""
 
 
 class SecurityHeaders:
-    """ASGI middleware that adds `SECURITY_HEADERS` to every answer that has none of its own."""
+    """ASGI middleware that adds the security headers to answers that have none of their own."""
 
     def __init__(self, app: ASGIApp) -> None:
         self.app = app
@@ -52,15 +63,23 @@ class SecurityHeaders:
         async def send_with_headers(message: Message) -> None:
             if message["type"] == "http.response.start":
                 headers = MutableHeaders(scope=message)
-                for name, value in SECURITY_HEADERS.items():
+                document = headers.get("content-type", "").startswith("text/html")
+                added = SECURITY_HEADERS | (DOCUMENT_SECURITY_HEADERS if document else {})
+                for name, value in added.items():
                     headers.setdefault(name, value)
             await send(message)
 
         await self.app(scope, receive, send_with_headers)
 
 
+# What compression gains nothing on is left to the file system.
+_TEXT = {".css", ".html", ".js", ".json", ".svg", ".txt"}
+
+_MINIFIERS = {".js": rjsmin.jsmin, ".css": rcssmin.cssmin}
+
+
 class Page(StaticFiles):
-    """Static files: vendored ones carry their version in the path and never change."""
+    """Static files: text is compressed once, vendored files never change under their path."""
 
     def __init__(self, directory: Path) -> None:
         super().__init__(directory=directory, html=True)
@@ -68,11 +87,39 @@ class Page(StaticFiles):
     async def get_response(self, path: str, scope: MutableMapping[str, Any]) -> Response:
         """Answer with a file; what cannot name a file is not found."""
         try:
-            response = await super().get_response(path, scope)
+            return await super().get_response(path, scope)
         except (ValueError, OSError):  # a NUL byte or a name longer than the file system takes
             raise HTTPException(404) from None
-        vendored = path.startswith("vendor/") and not path.endswith("manifest.json")
-        response.headers["Cache-Control"] = (
-            "public, max-age=31536000, immutable" if vendored else "no-cache"
-        )
+
+    def file_response(
+        self,
+        full_path: PathLike,
+        stat_result: os.stat_result,
+        scope: Scope,
+        status_code: int = 200,
+    ) -> Response:
+        """Send a file: vendored ones may be kept for ever, our own are asked after every time."""
+        path = Path(full_path)
+        parts = path.relative_to(Path(str(self.directory)).resolve()).parts
+        vendored = parts[0] == "vendor" and path.name != "manifest.json"
+        cache_control = "public, max-age=31536000, immutable" if vendored else "no-cache"
+        if path.suffix in _TEXT and status_code == 200:
+            ready = _ready(path, stat_result.st_mtime_ns, vendored)
+            return ready.response(Request(scope), cache_control)
+        response = super().file_response(full_path, stat_result, scope, status_code)
+        response.headers["Cache-Control"] = cache_control
         return response
+
+
+@lru_cache(maxsize=512)
+def _ready(path: Path, _mtime_ns: int, vendored: bool) -> ReadyBody:
+    """A text file to be sent, our own scripts and styles without their comments.
+
+    The comments are a third of the scripts; who wants to read them reads the sources.
+    """
+    body = path.read_bytes()
+    minify = None if vendored else _MINIFIERS.get(path.suffix)
+    if minify is not None:
+        body = minify(body.decode()).encode()
+    media_type = guess_type(path.name)[0] or "text/plain"
+    return ReadyBody(body, media_type, effort="thorough")

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from pydantic import BeforeValidator, Field, WithJsonSchema, create_model
 
-from app.api.params import Count, Number, QueryModel, number
+from app.api.params import Count, Number, QueryModel, number, plain
 from app.api.problems import BadParameters, ParameterError
 from app.optics.errors import NotAllowed
 from app.optics.parameters import Parameter
@@ -113,8 +113,8 @@ def _field(model: Model, parameter: Parameter) -> tuple[Any, Any]:
 def _triple(text: object) -> object:
     """Split three comma-separated numbers."""
     if not isinstance(text, str) or "," not in text:
-        return text
-    parts = tuple(text.split(","))
+        return plain(text)
+    parts = tuple(plain(part) for part in text.split(","))
     if len(parts) != 3:
         raise ValueError("one number, or three separated by commas")
     return parts

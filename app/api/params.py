@@ -28,15 +28,15 @@ MAX_SAMPLES = 20001
 MAX_WAVELENGTH_NM = 1e7
 
 
-def _plain(text: object) -> object:
+def plain(text: object) -> object:
     """Refuse what Python reads as a number though no one writes it: 1_5 for 15."""
     if isinstance(text, str) and "_" in text:
         raise ValueError("a number has no underscore")
     return text
 
 
-Number = Annotated[float, BeforeValidator(_plain)]
-Count = Annotated[int, BeforeValidator(_plain)]
+Number = Annotated[float, BeforeValidator(plain)]
+Count = Annotated[int, BeforeValidator(plain)]
 
 
 def number(parameter: Parameter, **options: Any) -> Any:

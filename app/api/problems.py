@@ -17,6 +17,10 @@ from starlette.responses import Response
 from app.optics.errors import OpticsError
 
 MEDIA_TYPE = "application/problem+json"
+MOST_ERRORS = 20
+"""Errors that one answer lists."""
+
+_LONGEST_VALUE = 200
 
 
 class ParameterError(TypedDict):
@@ -47,16 +51,28 @@ def problem_response(
     errors: Sequence[ParameterError] = (),
     headers: dict[str, str] | None = None,
 ) -> Response:
-    """Build the answer for an error."""
-    body = {
-        "type": "about:blank",
-        "title": HTTPStatus(status).phrase,
-        "status": status,
-        "detail": detail,
-        "instance": request.url.path,
-        "errors": list(errors),
-    }
-    return Response(orjson.dumps(body), status, headers, MEDIA_TYPE)
+    """Build the answer for an error.
+
+    The path is the scope's: `request.url` takes the query apart, which may be no UTF-8.
+    """
+    body = problem_bytes(status, detail, request.scope["path"], errors)
+    return Response(body, status, headers, MEDIA_TYPE)
+
+
+def problem_bytes(
+    status: int, detail: str, instance: str, errors: Sequence[ParameterError] = ()
+) -> bytes:
+    """Write the body of a problem."""
+    return orjson.dumps(
+        {
+            "type": "about:blank",
+            "title": HTTPStatus(status).phrase,
+            "status": status,
+            "detail": detail,
+            "instance": instance,
+            "errors": list(errors),
+        }
+    )
 
 
 class BadParameters(Exception):
@@ -77,14 +93,35 @@ class MissingResource(Exception):
 
 def unknown_parameter(name: str, value: object, known: Sequence[str]) -> ParameterError:
     """Describe a parameter that the endpoint does not take, with the nearest that it does."""
+    if not known:
+        return {"parameter": name, "value": value, "message": "this route takes no parameters"}
     nearest = get_close_matches(name, known, n=3, cutoff=0.5)
     hint = f"nearest: {', '.join(nearest)}" if nearest else f"known: {', '.join(known)}"
     return {"parameter": name, "value": value, "message": f"unknown parameter; {hint}"}
 
 
 def _problem_of(request: Request, status: int, errors: Sequence[ParameterError]) -> Response:
-    detail = "; ".join(f"{e['parameter']} = {e['value']}: {e['message']}" for e in errors)
-    return problem_response(request, status, detail, errors)
+    shown: list[ParameterError] = [
+        {
+            "parameter": _clipped(e["parameter"]),
+            "value": _clipped(e["value"]),
+            "message": e["message"],
+        }
+        for e in errors[:MOST_ERRORS]
+    ]
+    detail = "; ".join(f"{e['parameter']} = {e['value']}: {e['message']}" for e in shown)
+    if len(errors) > MOST_ERRORS:
+        detail += "; and more"
+    return problem_response(request, status, detail, shown)
+
+
+def _clipped(value: Any) -> Any:
+    """Shorten what a client sent, so that an answer is not a multiple of a hostile request."""
+    if isinstance(value, str) and len(value) > _LONGEST_VALUE:
+        return f"{value[:_LONGEST_VALUE]}\N{HORIZONTAL ELLIPSIS}"
+    if isinstance(value, list):
+        return [_clipped(item) for item in value[:MOST_ERRORS]]
+    return value
 
 
 async def _on_bad_parameters(request: Request, error: BadParameters) -> Response:
@@ -122,9 +159,11 @@ async def _on_http(request: Request, error: HTTPException) -> Response:
     headers = dict(error.headers) if error.headers else None
     detail = error.detail
     if error.status_code == 404 and detail == HTTPStatus.NOT_FOUND.phrase:
-        detail = f"nothing is at {request.url.path}; the API is described at /docs"
+        detail = f"nothing is at {request.scope['path']}; the API is described at /docs"
     if error.status_code == 405:
-        detail = f"{request.method} is not answered at {request.url.path}"
+        if headers and "GET" in headers.get("Allow", "").split(", "):
+            headers["Allow"] = "GET, HEAD"
+        detail = f"{request.method} is not answered at {request.scope['path']}"
     return problem_response(request, error.status_code, detail, headers=headers)
 
 

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import gzip
 from collections.abc import Mapping
-from hashlib import blake2b
 from typing import Any
 
 import numpy as np
 import orjson
-import zstandard
 from fastapi import Request
 from starlette.responses import Response
 
@@ -17,13 +14,13 @@ from app.api.presets import PresetInterface
 from app.optics.angles import brewster_deg, critical_deg, pseudo_brewster_deg
 from app.optics.interface import Interface
 from app.optics.parameters import Array
+from app.ready import ReadyBody
 
 CONVENTION = (
     "time factor exp(-i w t); N = n_t + i k_t with k_t >= 0; r_p = -r_s at normal incidence; "
     "angles from the surface normal; T = 1 - R is the power that enters the second medium"
 )
 
-_SMALLEST_COMPRESSED = 1024
 # 10^22 is the largest power of ten that is a double.
 _LARGEST_EXACT_POWER = 22
 
@@ -116,62 +113,3 @@ def body_response(
 ) -> Response:
     """Answer with ready bytes: ETag from the content, 304 where the client has it, compressed."""
     return ReadyBody(body, media_type, headers).response(request)
-
-
-class ReadyBody:
-    """Bytes to be sent any number of times, tagged once and compressed once an encoding."""
-
-    def __init__(
-        self, body: bytes, media_type: str, headers: Mapping[str, str] | None = None
-    ) -> None:
-        self._media_type = media_type
-        self._encoded: dict[str | None, bytes] = {None: body}
-        etag = f'W/"{blake2b(body, digest_size=12).hexdigest()}"'
-        self._headers = {**(headers or {}), "ETag": etag, "Vary": "Accept-Encoding"}
-
-    def response(self, request: Request) -> Response:
-        """Answer a request: 304 where the client has the content, else in the best encoding."""
-        max_age_s = request.app.state.settings.max_age_s
-        headers = {**self._headers, "Cache-Control": f"public, max-age={max_age_s}"}
-        if _has_copy(request, self._headers["ETag"]):
-            return Response(status_code=304, headers=headers)
-        long = len(self._encoded[None]) >= _SMALLEST_COMPRESSED
-        encoding = _encoding(request) if long else None
-        if encoding is not None:
-            headers["Content-Encoding"] = encoding
-        return Response(self._in(encoding), headers=headers, media_type=self._media_type)
-
-    def _in(self, encoding: str | None) -> bytes:
-        if encoding not in self._encoded:
-            self._encoded[encoding] = _compress(self._encoded[None], encoding)
-        return self._encoded[encoding]
-
-
-def _compress(body: bytes, encoding: str | None) -> bytes:
-    if encoding == "zstd":
-        return zstandard.compress(body, level=1)
-    return gzip.compress(body, compresslevel=1, mtime=0)
-
-
-def _has_copy(request: Request, etag: str) -> bool:
-    """Whether If-None-Match names this content (weak comparison, RFC 9110 section 13.1.2)."""
-    held = request.headers.get("if-none-match")
-    if held is None:
-        return False
-    tags = {tag.strip().removeprefix("W/") for tag in held.split(",")}
-    return "*" in tags or etag.removeprefix("W/") in tags
-
-
-def _encoding(request: Request) -> str | None:
-    """Choose the best compression the client asks for (RFC 9110 section 12.5.3)."""
-    accepted: dict[str, float] = {}
-    for part in request.headers.get("accept-encoding", "").lower().split(","):
-        coding, _, quality = part.partition(";")
-        try:
-            accepted[coding.strip()] = float(quality.partition("=")[2] or 1.0)
-        except ValueError:
-            continue  # a malformed weight asks for nothing
-    for coding in ("zstd", "gzip"):
-        if accepted.get(coding, accepted.get("*", 0.0)) > 0.0:
-            return coding
-    return None

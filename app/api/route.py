@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Callable, Coroutine, Mapping
+from itertools import islice
 from typing import Any
 
 from annotated_types import Ge, Le
@@ -13,7 +14,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 from starlette.responses import Response
 
-from app.api.problems import BadParameters, ParameterError, unknown_parameter
+from app.api.problems import MOST_ERRORS, BadParameters, ParameterError, unknown_parameter
 
 
 class QueryRoute(APIRoute):
@@ -61,20 +62,20 @@ def refuse_unknown_and_repeated(
     Raises
     ------
     BadParameters
-        Naming each of them.
+        Naming each of them, or as many as an answer lists.
     """
+    values: defaultdict[str, list[str]] = defaultdict(list)
+    for name, value in given:
+        values[name].append(value)
+    unknown = (pair for pair in given if pair[0] not in fields)
+    repeated = (pair for pair in values.items() if len(pair[1]) > 1)
+    # Thousands of wrong names are not worth looking for what comes nearest to each.
     errors: list[ParameterError] = [
-        unknown_parameter(name, value, list(fields)) for name, value in given if name not in fields
+        unknown_parameter(name, value, list(fields)) for name, value in islice(unknown, MOST_ERRORS)
     ]
-    counts = Counter(name for name, _ in given)
     errors += [
-        {
-            "parameter": name,
-            "value": [value for other, value in given if other == name],
-            "message": "given more than once",
-        }
-        for name, count in counts.items()
-        if count > 1
+        {"parameter": name, "value": both, "message": "given more than once"}
+        for name, both in islice(repeated, MOST_ERRORS)
     ]
     if errors:
         raise BadParameters(*errors)

@@ -14,9 +14,11 @@ from app.api.materials.queries import swatch_gamut
 from app.api.materials.schemas import MaterialsOut
 from app.api.params import Count, DigitsQuery
 from app.api.presets import default_catalog
-from app.api.responses import ReadyBody, json_response
+from app.api.responses import json_response
 from app.materials import Category, Preset
 from app.optics.color import Gamut, apply_gamut, srgb_hex
+from app.optics.errors import NotAllowed
+from app.ready import ReadyBody
 
 
 class ListQuery(DigitsQuery):
@@ -37,6 +39,28 @@ class ListQuery(DigitsQuery):
         None, ge=1, le=1000, description="How many to send at most; all unless given."
     )
     gamut: Gamut = swatch_gamut("scaled")
+    fields: str | None = Field(
+        None,
+        max_length=500,
+        description="Comma-separated names of what to send of each preset; all unless given.",
+        examples=["id,name,category,n,k"],
+    )
+
+    def chosen_fields(self) -> set[str] | None:
+        """Names of the fields to send, None for all.
+
+        Raises
+        ------
+        NotAllowed
+            If a preset has no such field.
+        """
+        if self.fields is None:
+            return None
+        names = {name.strip() for name in self.fields.split(",")}
+        known = [*Preset.model_fields, "swatch"]
+        if not names <= set(known):
+            raise NotAllowed("fields", self.fields, f"names among {', '.join(known)}")
+        return names
 
 
 def swatch(rgb: Any, gamut: Gamut) -> dict[str, Any]:
@@ -46,9 +70,12 @@ def swatch(rgb: Any, gamut: Gamut) -> dict[str, Any]:
     return {"gamut": gamut, "hex": srgb_hex(shown) if inside else None}
 
 
-def row(preset: Preset, gamut: Gamut) -> dict[str, Any]:
+def row(preset: Preset, gamut: Gamut, fields: set[str] | None = None) -> dict[str, Any]:
     """Describe a preset as lists do."""
-    return preset.model_dump(mode="json") | {"swatch": swatch(preset.color.F0, gamut)}
+    described = preset.model_dump(mode="json", include=fields)
+    if fields is None or "swatch" in fields:
+        described["swatch"] = swatch(preset.color.F0, gamut)
+    return described
 
 
 def listed(query: ListQuery) -> dict[str, Any]:
@@ -59,10 +86,11 @@ def listed(query: ListQuery) -> dict[str, Any]:
         for preset in catalog.search(query.q, query.category)
         if query.kind in (None, preset.kind)
     ]
+    fields = query.chosen_fields()
     end = None if query.limit is None else query.offset + query.limit
     suggestions = catalog.nearest(query.q) if query.q and not fitting else ()
     return {
-        "materials": [row(preset, query.gamut) for preset in fitting[query.offset : end]],
+        "materials": [row(preset, query.gamut, fields) for preset in fitting[query.offset : end]],
         "total": len(fitting),
         "offset": query.offset,
         "limit": query.limit,
@@ -75,7 +103,7 @@ def listed(query: ListQuery) -> dict[str, Any]:
 @cache
 def whole_list() -> ReadyBody:
     """The answer that most clients ask for, made once a process."""
-    return ReadyBody(orjson.dumps(listed(ListQuery())), "application/json")
+    return ReadyBody(orjson.dumps(listed(ListQuery())), "application/json", effort="thorough")
 
 
 def add_list(routes: APIRouter) -> None:

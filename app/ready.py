@@ -1,0 +1,86 @@
+"""Bytes that are ready to be sent: tagged, compressed once, answered with 304 where known."""
+
+from __future__ import annotations
+
+import gzip
+from collections.abc import Mapping
+from hashlib import blake2b
+from typing import Literal
+
+import zstandard
+from starlette.requests import Request
+from starlette.responses import Response
+
+Effort = Literal["quick", "thorough"]
+"""How hard to compress: quick for what is sent once, thorough for what is sent for ever."""
+
+_SMALLEST_COMPRESSED = 1024
+
+
+class ReadyBody:
+    """Bytes to be sent any number of times, tagged once and compressed once an encoding."""
+
+    def __init__(
+        self,
+        body: bytes,
+        media_type: str,
+        headers: Mapping[str, str] | None = None,
+        *,
+        effort: Effort = "quick",
+    ) -> None:
+        self._media_type = media_type
+        self._effort: Effort = effort
+        self._encoded: dict[str | None, bytes] = {None: body}
+        etag = f'W/"{blake2b(body, digest_size=12).hexdigest()}"'
+        self._headers = {**(headers or {}), "ETag": etag, "Vary": "Accept-Encoding"}
+
+    def response(self, request: Request, cache_control: str | None = None) -> Response:
+        """Answer a request: 304 where the client has the content, else in the best encoding.
+
+        Answers of the API may be kept as long as the settings say, unless `cache_control` is given.
+        """
+        if cache_control is None:
+            cache_control = f"public, max-age={request.app.state.settings.max_age_s}"
+        headers = {**self._headers, "Cache-Control": cache_control}
+        if _has_copy(request, self._headers["ETag"]):
+            return Response(status_code=304, headers=headers)
+        long = len(self._encoded[None]) >= _SMALLEST_COMPRESSED
+        encoding = _encoding(request) if long else None
+        if encoding is not None:
+            headers["Content-Encoding"] = encoding
+        return Response(self._in(encoding), headers=headers, media_type=self._media_type)
+
+    def _in(self, encoding: str | None) -> bytes:
+        if encoding not in self._encoded:
+            self._encoded[encoding] = _compress(self._encoded[None], encoding, self._effort)
+        return self._encoded[encoding]
+
+
+def _compress(body: bytes, encoding: str | None, effort: Effort) -> bytes:
+    if encoding == "zstd":
+        return zstandard.compress(body, level=1 if effort == "quick" else 19)
+    return gzip.compress(body, compresslevel=1 if effort == "quick" else 9, mtime=0)
+
+
+def _has_copy(request: Request, etag: str) -> bool:
+    """Whether If-None-Match names this content (weak comparison, RFC 9110 section 13.1.2)."""
+    held = request.headers.get("if-none-match")
+    if held is None:
+        return False
+    tags = {tag.strip().removeprefix("W/") for tag in held.split(",")}
+    return "*" in tags or etag.removeprefix("W/") in tags
+
+
+def _encoding(request: Request) -> str | None:
+    """Choose the best compression the client asks for (RFC 9110 section 12.5.3)."""
+    accepted: dict[str, float] = {}
+    for part in request.headers.get("accept-encoding", "").lower().split(","):
+        coding, _, quality = part.partition(";")
+        try:
+            accepted[coding.strip()] = float(quality.partition("=")[2] or 1.0)
+        except ValueError:
+            continue  # a malformed weight asks for nothing
+    for coding in ("zstd", "gzip"):
+        if accepted.get(coding, accepted.get("*", 0.0)) > 0.0:
+            return coding
+    return None
