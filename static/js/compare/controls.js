@@ -6,11 +6,8 @@ import { createParameters } from "../controls/parameters.js";
 import { createRow } from "../controls/row.js";
 import { createSheet } from "../controls/sheet.js";
 import { h, setText } from "../dom.js";
-import { sample } from "../explore/sample.js";
 import { plain } from "../format.js";
-import { modelStyle } from "../palette.js";
 import { createChooser } from "./chooser.js";
-import { shortTitle } from "./traces.js";
 
 /**
  * @typedef {import('../types.js').Catalog} Catalog
@@ -119,13 +116,6 @@ export function createControls({ catalog, presets, state, actions, family }) {
     state,
     actions,
     prefix: "compare-",
-    heading: (model) =>
-      h(
-        "span",
-        { class: "overlay-name" },
-        sample(modelStyle(catalog.models, model.id)),
-        `${shortTitle(model.title)}: parameters`,
-      ),
   });
 
   const body = h(

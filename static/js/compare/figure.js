@@ -5,6 +5,7 @@ import { h, setText } from "../dom.js";
 import { evaluate } from "../expression.js";
 import { inDegrees, inUnit, percent, plain } from "../format.js";
 import { locate, read } from "../interpolate.js";
+import { shortTitle } from "../model-traces.js";
 import { modelStyle } from "../palette.js";
 import { createHeatmap } from "../plot/heatmap.js";
 import { createPlot } from "../plots.js";
@@ -12,7 +13,6 @@ import { mapOf, sweepOf } from "./answers.js";
 import { focused, isMap, isPointwise, ranges } from "./fields.js";
 import { short } from "./metrics.js";
 import { hasTriple } from "./queries.js";
-import { shortTitle } from "./traces.js";
 
 /**
  * @typedef {import('../types.js').Catalog} Catalog

@@ -3,9 +3,9 @@
 import { copyText, flash } from "../clipboard.js";
 import { h, setText } from "../dom.js";
 import { sample } from "../explore/sample.js";
+import { CHANNELS, traceName } from "../model-traces.js";
 import { modelStyle } from "../palette.js";
 import { COLUMNS, sayCost, sorted } from "./metrics.js";
-import { CHANNELS, traceName } from "./traces.js";
 
 /**
  * @typedef {import('../types.js').Model} Model

@@ -1,7 +1,7 @@
 /** The curves of the Compare view and their errors, from the curves that the server sent. */
 
 import { plain } from "../format.js";
-import { modelStyle } from "../palette.js";
+import { modelTraces } from "../model-traces.js";
 
 /**
  * @typedef {import('../types.js').Curves} Curves
@@ -10,53 +10,8 @@ import { modelStyle } from "../palette.js";
  * @typedef {{n: number, curves: Curves}} Member another index of the family
  */
 
-/** @type {Record<string, {color: string, label: string}>} */
-export const CHANNELS = {
-  R_red: { color: "--red", label: "R" },
-  R_green: { color: "--green", label: "G" },
-  R_blue: { color: "--blue", label: "B" },
-};
-
-/** @param {string} model @param {string} quantity */
-export function traceName(model, quantity) {
-  return quantity === "R" ? model : `${model}.${quantity}`;
-}
-
-/** @param {string} title without what stands in parentheses, for the label at a curve */
-export function shortTitle(title) {
-  return title.replace(/\s*\(.*\)$/, "").replace(/:.*$/, "");
-}
-
-/**
- * @param {Curves} curves
- * @param {readonly string[]} ids
- * @param {Model[]} models
- * @param {number[]} x
- * @returns {Trace[]}
- */
-function modelTraces(curves, ids, models, x) {
-  return ids.flatMap((id) =>
-    curves.curves
-      .filter((c) => c.model === id && c.quantity in { R: 0, ...CHANNELS })
-      .map((curve) => {
-        const channel = CHANNELS[curve.quantity];
-        const style = modelStyle(models, id);
-        const title = shortTitle(models.find((m) => m.id === id)?.title ?? id);
-        return {
-          id: traceName(id, curve.quantity),
-          label: channel ? `${title} ${channel.label}` : title,
-          x,
-          y: curve.values,
-          width: 1.9,
-          dash: style.dash,
-          color: channel ? channel.color : style.color,
-        };
-      }),
-  );
-}
-
 /** @param {Curves} curves @returns {(number | null)[]} */
-export function exactOf(curves) {
+function exactOf(curves) {
   return curves.curves.find((c) => c.model === "exact" && c.quantity === "R")?.values ?? [];
 }
 

@@ -1,9 +1,12 @@
 /** Controls of the models' own parameters, made from their declarations. */
 
 import { h, setText, symbol } from "../dom.js";
+import { sample } from "../explore/sample.js";
 import { ExpressionError, evaluate } from "../expression.js";
 import { plain } from "../format.js";
 import { defaultOf, stateName } from "../model-parameters.js";
+import { shortTitle } from "../model-traces.js";
+import { modelStyle } from "../palette.js";
 import { createChoice } from "./choice.js";
 import { createRow } from "./row.js";
 
@@ -179,9 +182,8 @@ function choiceControl(parameter, onChange) {
  * @param {() => State} options.state
  * @param {Actions} options.actions
  * @param {string} [options.prefix] of ids
- * @param {(model: Model) => Node} [options.heading]
  */
-export function createParameters({ models, state, actions, prefix = "", heading }) {
+export function createParameters({ models, state, actions, prefix = "" }) {
   const element = h("div", { class: "own-rows" });
   /** @type {Map<string, {box: HTMLElement, controls: Map<string, Control>}>} */
   const made = new Map();
@@ -207,7 +209,12 @@ export function createParameters({ models, state, actions, prefix = "", heading 
     const box = h(
       "details",
       { class: "own" },
-      h("summary", { class: "own-name" }, heading ? heading(model) : model.title),
+      h(
+        "summary",
+        { class: "own-name" },
+        sample(modelStyle(models, model.id)),
+        `${shortTitle(model.title)}: parameters`,
+      ),
       ...[...controls.values()].map((c) => c.element),
     );
     // What a link or an example has set is to be seen.

@@ -2,6 +2,7 @@
 
 import { createChoice } from "../controls/choice.js";
 import { createMedia } from "../controls/media.js";
+import { createParameters } from "../controls/parameters.js";
 import { createRow } from "../controls/row.js";
 import { h, setText, symbol } from "../dom.js";
 import { evaluateAngle } from "../expression.js";
@@ -44,15 +45,6 @@ const MANNERS = {
   },
 };
 export const ANGLE_STEPS = { step: 0.5, fine: 0.05, page: 5 };
-
-/** @param {Parameter} parameter a model's own @returns {Manner} */
-function ownManner({ description, minimum, maximum, integer }) {
-  const span = maximum - minimum;
-  const steps = integer
-    ? { step: 1, fine: 1, page: 10 }
-    : { step: span / 100, fine: span / 1000, page: span / 10 };
-  return { label: description, range: [minimum, maximum], steps };
-}
 
 /**
  * @param {object} options
@@ -106,14 +98,6 @@ export function createControls({ catalog, presets, state, actions }) {
       .filter((p) => p.name in MANNERS)
       .map((p) => [p.name, row(p, /** @type {Manner} */ (MANNERS[p.name]))]),
   );
-  /** @type {Map<string, {model: string, row: import('../controls/row.js').Row}>} */
-  const ownRows = new Map();
-  for (const model of catalog.models) {
-    for (const parameter of model.parameters) {
-      const name = `${model.id}.${parameter.name}`;
-      ownRows.set(name, { model: model.id, row: row(parameter, ownManner(parameter), name) });
-    }
-  }
 
   const media = createMedia({
     materials: catalog.materials,
@@ -198,7 +182,7 @@ export function createControls({ catalog, presets, state, actions }) {
       return { models, group, box, count };
     })
     .filter(({ models }) => models.length > 0);
-  const own = h("div", { class: "own-rows" });
+  const own = createParameters({ models: catalog.models, state, actions });
 
   // On a phone the panel is a sheet at the bottom: a strip of values, one row, the rest on demand.
   const strip = h("div", { class: "strip", role: "group", "aria-label": "Which value to move" });
@@ -231,7 +215,7 @@ export function createControls({ catalog, presets, state, actions }) {
       angles.element,
       show.element,
       ...overlays.map((o) => o.box),
-      own,
+      own.element,
     ),
   );
   const element = h(
@@ -261,7 +245,7 @@ export function createControls({ catalog, presets, state, actions }) {
     element,
     stop() {
       for (const r of rows.values()) r.stop();
-      for (const { row: r } of ownRows.values()) r.stop();
+      own.stop();
     },
     /**
      * @param {State} now
@@ -292,11 +276,7 @@ export function createControls({ catalog, presets, state, actions }) {
         const chosen = models.filter((m) => now.models.includes(m.id)).length;
         setText(count, chosen ? ` ${chosen} of ${models.length}` : ` ${models.length}`);
       }
-      const wanted = [...ownRows].filter(([, { model }]) => now.models.includes(model));
-      const elements = wanted.map(([, o]) => o.row.element);
-      if (elements.length !== own.children.length || elements.some((e, i) => own.children[i] !== e))
-        own.replaceChildren(...elements);
-      for (const [name, { row: r }] of wanted) r.update(now[name]);
+      own.update(now, now.models);
     },
   };
 }

@@ -1,7 +1,7 @@
 /** What the plot of the Explore view shows, in the unit of its axis. */
 
 import { inUnit } from "../format.js";
-import { modelStyle } from "../palette.js";
+import { modelTraces } from "../model-traces.js";
 import { landmarksOf, values } from "./reading.js";
 
 /**
@@ -31,17 +31,8 @@ export function tracesOf(curves, shown, models) {
   /** @type {import('../types.js').Trace[]} */
   const traces = exact.map((line) => ({ ...line, x, y: values(curves, line.id) }));
   for (const id of shown.models) {
-    const y = values(curves, "R", id);
     // The overlay may have been chosen a moment ago, and its curve still be under way.
-    if (y.length)
-      traces.push({
-        id,
-        label: models.find((m) => m.id === id)?.title ?? id,
-        x,
-        y,
-        width: 1.9,
-        ...modelStyle(models, id),
-      });
+    traces.push(...modelTraces(curves, [id], models, x));
   }
   if (shown.show.includes("phase")) {
     for (const [id, label, color, dash] of /** @type {const} */ ([

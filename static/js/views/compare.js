@@ -23,9 +23,7 @@ export const fields = compareFields;
  */
 
 await Promise.all(
-  ["compare", "compare-errors", "heatmap", "parameters"].map((name) =>
-    loadStyle(`css/${name}.css`),
-  ),
+  ["compare", "compare-errors", "heatmap"].map((name) => loadStyle(`css/${name}.css`)),
 );
 
 /** @param {ViewContext} context */

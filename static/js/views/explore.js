@@ -10,9 +10,10 @@ import { landmarksOf, readingAt } from "../explore/reading.js";
 import { createSplit } from "../explore/split.js";
 import { axesOf, marksOf, tracesOf } from "../explore/traces.js";
 import { angle, inDegrees, inUnit, percent } from "../format.js";
+import { parameterFields, parameterQuery } from "../model-parameters.js";
 import { createPlot } from "../plots.js";
 import { clamp, snap, stepped } from "../snap.js";
-import { choice, list, number } from "../state.js";
+import { choice, list } from "../state.js";
 
 /**
  * @typedef {import('../types.js').Catalog} Catalog
@@ -24,14 +25,11 @@ const SNAP_DEGREES = 1;
 
 /** The state that this view adds to the one all views share. @param {Catalog} catalog */
 export function fields({ models }) {
-  const own = models.flatMap((model) =>
-    model.parameters.map((p) => [`${model.id}.${p.name}`, number(p)]),
-  );
   return {
     models: list(models.map((m) => m.id).filter((id) => id !== "exact")),
     show: list(["T", "phase"]),
     marks: choice("on", ["on", "off"]),
-    ...Object.fromEntries(own),
+    ...parameterFields(models),
   };
 }
 
@@ -265,16 +263,10 @@ function reasonsOf(curves) {
  */
 export function queries(state, catalog) {
   const media = mediaQuery(state, catalog);
-  const own = Object.entries(state)
-    .filter(
-      ([key, value]) =>
-        key.includes(".") && state.models.includes(key.split(".")[0]) && value !== null,
-    )
-    .map(([key, value]) => `${key}=${value}`);
   const curves = [
     ...media,
     state.models.length ? `models=exact,${state.models.join(",")}` : "",
-    ...own,
+    ...parameterQuery(state, catalog.models, state.models),
     "landmarks=true",
     "refraction=true",
     state.show.includes("phase") ? "phase=true" : "",
