@@ -19,7 +19,7 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.models.lagarde_conductor import lagarde_conductor
 from app.optics.parameters import Array
-from app.optics.peaks import largest
+from app.optics.peaks import Peaks, largest, largest_of_smooth
 from app.optics.quadrature import (
     Nodes,
     Rule,
@@ -62,7 +62,7 @@ _RELATIVE: frozenset[Metric] = frozenset({"max_relative", "max_relative_at_deg"}
 MOST_EVALUATIONS = 60_000_000
 """Evaluations of the model that one call of `measure` may take, some seconds' worth."""
 
-_CACHE_SIZE = 1 << 15  # values a block holds at once, so that its temporaries stay in the cache
+_CACHE_SIZE = 1 << 14  # values a block holds at once, so that its temporaries stay in the cache
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,11 +76,12 @@ class Quality:
     kinked_rule
         Quadrature between two kinks of a model that has them.
     gentle_rule
-        Quadrature in one interval where the exact curve bends gently; None to split everywhere.
+        Quadrature in one interval where the exact curve bends gently, with nodes so good that the
+        polynomial through them has the largest error too; None to split everywhere.
     points, rounds
         How the largest error is sought, see `app.optics.peaks.largest`.
     reference
-        The exact R for absolute errors; relative ones are always taken of `exact`.
+        The exact R; where it is small and relative errors are wanted, `exact` takes its place.
     """
 
     rule: Rule
@@ -99,10 +100,10 @@ PRECISE = Quality(double_exponential(), crowded_gauss_legendre(8), None, 15, 5, 
 """Integrals to 1e-12, the largest error to 1e-13, its angle to 1e-5 degrees."""
 
 FAST = Quality(
-    crowded_gauss_legendre(12), gauss_legendre(3), root_gauss_legendre(14), 5, 1, lagarde_conductor
+    crowded_gauss_legendre(12), gauss_legendre(3), root_gauss_legendre(14), 5, 2, lagarde_conductor
 )
 """For maps of many interfaces: integrals to 1e-4, the largest error to 5e-4, most of them far better.
-Where absolute errors alone are wanted the exact R is taken from a form that is cheaper."""
+The exact R is taken from a form that is cheaper."""
 
 
 def point_error(
@@ -182,8 +183,6 @@ def measure(
     if total * nodes > MOST_EVALUATIONS:
         most = MOST_EVALUATIONS // nodes
         raise NotAllowed("steps", total, f"at most {most} interfaces at once with {model.id}")
-    # Lagarde's form loses its digits where R is small, which an absolute error never shows.
-    relative = not _RELATIVE.isdisjoint(wanted)
     curves = _ErrorCurves(
         model,
         Interface(*(np.broadcast_to(m, shape).reshape(-1, 1) for m in media)),
@@ -191,15 +190,18 @@ def measure(
             n: v if v.ndim == 0 else np.broadcast_to(v, shape).reshape(-1, 1)
             for n, v in values.items()
         },
-        _exact if relative else quality.reference,
+        quality.reference,
     )
     gentle = np.zeros(total, dtype=bool)
     if quality.gentle_rule is not None and kinks is None:
         gentle = bends_gently(curves.interface)[:, 0]
         same = whole(quality.gentle_rule)
     result: dict[Metric, Array] = {name: np.empty(total) for name in wanted}
+    # A cheap form loses its digits where R is small, near N = n_i, which only relative errors show.
+    relative = not _RELATIVE.isdisjoint(wanted)
+    sharp = replace(curves, reference=_exact) if relative else curves
     for rows in _blocks(np.flatnonzero(~gentle), nodes):
-        part = curves.part(rows)
+        part = sharp.part(rows)
         split = hemisphere(part.interface, rule, kinks)
         flat = Nodes(split.mu[:, 0], split.w[:, 0])
         for name, column in _metrics(part, flat, quality, wanted).items():
@@ -265,14 +267,21 @@ def _metrics(
         result["rms"] = np.sqrt(np.sum(nodes.w * error * error, axis=1))
     if "cosine_weighted_mean" in wanted:
         result["cosine_weighted_mean"] = 2.0 * np.sum(nodes.w * nodes.mu * error, axis=1)
-    division = quality.points, quality.rounds
+
+    def largest_of(values: Array, function: Callable[[Array], Array]) -> Peaks:
+        if nodes.mu.ndim == 2:
+            return largest(function, nodes.mu, values, quality.points, quality.rounds)
+        # Nodes common to all curves lie closest, as a polynomial's should, in the root of mu.
+        peak = largest_of_smooth(np.sqrt(nodes.mu), values)
+        return Peaks(peak.value, peak.at**2)
+
     if not _LARGEST.isdisjoint(wanted):
-        peak = largest(curves.error_at, nodes.mu, error, *division)
+        peak = largest_of(error, curves.error_at)
         result["max_abs"] = np.abs(peak.value)
         result["error_at_max"] = peak.value
         result["max_abs_at_deg"] = _degrees(peak.at)
     if not _RELATIVE.isdisjoint(wanted):
-        peak = largest(curves.relative_at, nodes.mu, _relative(error, exact), *division)
+        peak = largest_of(_relative(error, exact), curves.relative_at)
         result["max_relative"] = np.abs(peak.value)
         result["max_relative_at_deg"] = _degrees(peak.at)
     return {name: np.where(undefined, np.nan, result[name]) for name in wanted}

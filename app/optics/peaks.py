@@ -1,13 +1,24 @@
-"""The largest modulus of many curves at once, sought between the nodes they were sampled at."""
+"""The largest modulus of many curves at once, sought between the nodes they were sampled at.
+
+References
+----------
+.. [1] J.-P. Berrut and L. N. Trefethen, Barycentric Lagrange Interpolation, SIAM Review 46, 501-517
+   (2004).
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 
 from app.optics.parameters import Array
+
+_DENSE = 61
+# A product of so few rows is too small for BLAS to wake its threads, which would cost more.
+_ROWS = 256
 
 
 class Peaks(NamedTuple):
@@ -55,6 +66,45 @@ def largest(
         top = _larger(top, Peaks(ys[:, 1], xs[:, 1]))
     vertex = _vertex(xs, np.abs(ys))
     return _larger(top, Peaks(_finite(function(vertex[:, np.newaxis]))[:, 0], vertex))
+
+
+@cache
+def _dense(nodes: tuple[float, ...]) -> tuple[Array, Array]:
+    """Abscissas spread evenly, and the matrix that takes values at the nodes there [1]_."""
+    x = np.array(nodes)
+    gaps = x[:, np.newaxis] - x
+    np.fill_diagonal(gaps, 1.0)
+    weights = 1.0 / np.prod(gaps, axis=1)
+    at = np.linspace(x[0], x[-1], _DENSE)
+    apart = at[:, np.newaxis] - x
+    hit = apart == 0.0
+    with np.errstate(divide="ignore"):
+        terms = weights / apart
+    terms[hit.any(axis=1)] = hit[hit.any(axis=1)]  # on a node only its own value counts
+    return at, np.asarray(terms / terms.sum(axis=1, keepdims=True)).T
+
+
+def largest_of_smooth(x: Array, y: Array) -> Peaks:
+    """Value of largest modulus of the polynomials through the samples.
+
+    Parameters
+    ----------
+    x
+        Ascending nodes that crowd toward both ends, shape (nodes,), the same for every curve.
+    y
+        Values there, shape (curves, nodes), of curves that the polynomial follows.
+    """
+    at, matrix = _dense(tuple(x.tolist()))
+    values = np.concatenate([y[i : i + _ROWS] @ matrix for i in range(0, len(y), _ROWS)])
+    best = np.argmax(np.abs(values), axis=1)
+    rows, inner = np.arange(len(y)), np.clip(best, 1, _DENSE - 2)
+    low, middle, high = (values[rows, inner + step] for step in (-1, 0, 1))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        shift = 0.5 * (low - high) / (low - 2.0 * middle + high)
+    # A parabola with its vertex elsewhere is no peak: then one of the ends is the largest.
+    shift = np.where((best == inner) & (np.abs(shift) <= 1.0), shift, (best - inner).astype(float))
+    peak = middle + 0.5 * shift * (high - low) + 0.5 * shift**2 * (low - 2.0 * middle + high)
+    return Peaks(peak, at[inner] + shift * (at[1] - at[0]))
 
 
 def _finite(values: Array) -> Array:

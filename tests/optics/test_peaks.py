@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from app.optics.parameters import Array
-from app.optics.peaks import largest
+from app.optics.peaks import largest, largest_of_smooth
+from app.optics.quadrature import root_gauss_legendre, whole
 
 
 @pytest.mark.parametrize("shared", [True, False])
@@ -52,3 +53,22 @@ def test_an_infinite_error_stays_infinite() -> None:
     x = np.linspace(0.0, 1.0, 3)
     found = largest(lambda t: np.full_like(t, np.inf), x, np.full((1, 3), np.inf), 5, 2)
     assert np.isinf(found.value[0])
+
+
+def test_the_polynomial_through_the_samples() -> None:
+    x = np.sqrt(whole(root_gauss_legendre(14)).mu)
+    at = np.array([[0.2], [0.55], [0.9]])
+
+    def curves(t: Array) -> Array:
+        return np.asarray([[1.0], [-2.0], [3.0]] * np.exp(-((t - at) ** 2) / 0.08))
+
+    found = largest_of_smooth(x, curves(x))
+    np.testing.assert_allclose(found.value, [1.0, -2.0, 3.0], atol=1e-4)
+    np.testing.assert_allclose(found.at, at[:, 0], atol=1e-3)
+
+
+def test_the_polynomials_ends() -> None:
+    x = np.sqrt(whole(root_gauss_legendre(14)).mu)
+    found = largest_of_smooth(x, np.array([2.0 + x, 2.0 - x, np.zeros_like(x), np.ones_like(x)]))
+    np.testing.assert_allclose(found.value, [3.0, 2.0, 0.0, 1.0], atol=1e-12)
+    np.testing.assert_allclose(found.at[:2], [1.0, 0.0], atol=1e-9)
