@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 import typer
+from pydantic import ValidationError
 
 from app import __version__, server
 from app.main import create_app
@@ -42,7 +43,12 @@ def serve(
 ) -> None:
     """Serve the page and the API until interrupted."""
     given = {"host": host, "port": port}
-    settings = Settings.model_validate({k: v for k, v in given.items() if v is not None})
+    try:
+        settings = Settings.model_validate({k: v for k, v in given.items() if v is not None})
+    except ValidationError as error:
+        first = error.errors()[0]
+        hint = f"--{first['loc'][0]} or FRESNEL_{str(first['loc'][0]).upper()}"
+        raise typer.BadParameter(f"{first['input']!r}: {first['msg']}", param_hint=hint) from None
     server.serve(
         create_app(settings),
         settings.host,

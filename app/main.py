@@ -9,6 +9,7 @@ from app import __version__
 from app.api import albedo, curves, health, materials, models, problems, snell
 from app.optics.registry import Registry, default_registry
 from app.page import Page, SecurityHeaders
+from app.routing import Fallback, HeadAsGet
 from app.settings import Settings
 
 API_PREFIX = "/api/v1"
@@ -55,6 +56,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         CORSMiddleware, allow_origins=["*"], allow_methods=["GET"], expose_headers=["ETag"]
     )
     app.add_middleware(SecurityHeaders)
+    app.add_middleware(HeadAsGet)
     routers: list[APIRouter] = [  # what is asked most often first: routes are tried in order
         curves.router(registry),
         snell.router(),
@@ -65,5 +67,5 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     ]
     for router in routers:
         app.include_router(router, prefix=API_PREFIX)
-    app.mount("/", Page(settings.static_dir), name="page")
+    app.router.routes.append(Fallback("/", Page(settings.static_dir), name="page"))
     return app
