@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import math
 
 import numpy as np
 from scipy.optimize import brentq
@@ -50,7 +51,8 @@ def pseudo_brewster_deg(interface: Interface) -> Array:
     Returns
     -------
     Array
-        Degrees, of the interface's shape; 0 where Rp rises from normal incidence on.
+        Degrees above 0 and below 90, of the interface's shape: Rp falls from normal incidence on
+        at every interface.
 
     References
     ----------
@@ -64,34 +66,25 @@ def pseudo_brewster_deg(interface: Interface) -> Array:
     return np.where(np.isnan(lossless), solved, lossless)
 
 
-# cos(theta_i) of the scan that brackets the minimum, dense toward grazing, where it lies for metals.
-_SCAN = [float(mu) for mu in np.concatenate([[1.0], np.geomspace(0.995, 1e-5, 60)])]
+# tan^2 of the pseudo-Brewster angle over |N|^2: 1 without absorption, 1/2 for small and purely
+# imaginary N. Nothing else is a zero of the slope, so that a wider bracket holds just the minimum.
+_BRACKET = (0.25, 2.0)
 
 
 def _least_Rp_deg(eta: float, kappa: float) -> float:
     """Solve d Rp / d theta = 0.
 
-    With x = 1/cos^2 and w = q/(N^2 cos), r_p = (1 - w)/(1 + w), and w^2 = A x + B is linear in x with
-    A = (N^2 - 1)/N^4 and B = 1/N^4. Rp is least where Re w / (1 + |w|^2) is largest.
+    With t = tan^2(theta_i) and w = q/(N^2 cos), r_p = (1 - w)/(1 + w), where w^2 = A t + 1/N^2 with
+    A = (N^2 - 1)/N^4, and 1 - w^2 = A (N^2 - t). So d(log Rp)/dt = -2 Re 1/(w (N^2 - t)), which
+    has the sign of -Re w (N^2 - t): negative at normal, positive toward grazing incidence.
     """
     square = complex(eta, kappa) ** 2
-    A, B = (square - 1.0) / square**2, 1.0 / square**2
+    size, slant = abs(square), (square - 1.0) / square**2
 
-    def merit(x: float) -> float:
-        w = cmath.sqrt(A * x + B)
-        return w.real / (1.0 + (w * w.conjugate()).real)
+    def slope(relative: float) -> float:
+        t = relative * size
+        w = cmath.sqrt(slant * t + 1.0 / square)
+        return -(w * (square - t)).real
 
-    def slope(log_x: float) -> float:
-        """Sign and zero of d merit / dx, from dw/dx = A / (2 w)."""
-        w = cmath.sqrt(A * np.exp(log_x) + B)
-        dw = A / (2.0 * w)
-        return dw.real * (1.0 + abs(w) ** 2) - 2.0 * w.real * (w.conjugate() * dw).real
-
-    xs = [1.0 / (mu * mu) for mu in _SCAN]
-    merits = [merit(x) for x in xs]
-    best = merits.index(max(merits))
-    low, high = xs[max(best - 1, 0)], xs[min(best + 1, len(xs) - 1)]
-    if not slope(np.log(low)) > 0.0 > slope(np.log(high)):
-        return float(np.degrees(np.arccos(_SCAN[best])))
-    x = float(np.exp(brentq(slope, np.log(low), np.log(high), xtol=1e-15, rtol=1e-15)))
-    return float(np.degrees(np.arctan(np.sqrt(x - 1.0))))
+    t = size * brentq(slope, *_BRACKET, xtol=1e-15, rtol=1e-15)
+    return math.degrees(math.atan(math.sqrt(t)))

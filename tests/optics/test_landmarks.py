@@ -137,6 +137,24 @@ def test_pseudo_brewster_becomes_brewsters_without_absorption() -> None:
     )
 
 
+@pytest.mark.parametrize(
+    ("n_i", "n_t", "k_t"),
+    [
+        (100.0, 1e-3, 1e-12),  # 5.7e-4 degrees from normal incidence
+        (1e-3, 100.0, 1e-9),
+        (1.0, 1.0 + 1e-9, 1e-9),  # an Rp of 1e-18 at most
+        (1.0, 1.0 - 1e-9, 3e-9),
+        (1.5, 1.5, 1e-6),
+    ],
+)
+def test_pseudo_brewster_of_faint_absorption_is_brewsters(
+    n_i: float, n_t: float, k_t: float
+) -> None:
+    lossless = float(brewster_deg(Interface(n_i, n_t)))
+    angle = float(pseudo_brewster_deg(Interface(n_i, n_t, k_t)))
+    assert angle == pytest.approx(lossless, rel=1e-11)
+
+
 def test_angles_broadcast() -> None:
     interface = Interface([[1.0], [1.5]], [1.2, 1.5, 1.8], [[0.0], [0.5]])
     for angle in (brewster_deg, critical_deg, pseudo_brewster_deg):
