@@ -38,6 +38,8 @@ import { readTheme } from "./plot/theme.js";
 
 /** The smallest host that is worth drawing into; a hidden one has no size. */
 const SMALLEST = 40;
+/** ms without a change after which the picture is described. */
+const STILL = 150;
 
 /**
  * @param {HTMLElement} element
@@ -95,7 +97,9 @@ export function createDiagram(element, actions) {
   /** What depends on the size alone. */
   const layStage = () => {
     const { width, height, x, y, length, normal } = stage;
-    put(scene.root, "viewBox", `0 0 ${width} ${height}`);
+    // A size of its own: one that follows the host's is laid out anew in each pass over the page.
+    put(scene.root, "width", width);
+    put(scene.root, "height", height);
     put(scene.upper, "width", width);
     put(scene.upper, "height", y);
     for (const rect of [scene.lower, scene.dark, scene.light]) {
@@ -107,6 +111,16 @@ export function createDiagram(element, actions) {
     setLine(scene.surface, { x: 0, y }, { x: width, y });
     put(scene.protractor, "d", arcPath(stage, length, 90, "incident"));
     setScale(scene, stage);
+  };
+
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let speech;
+  /** @param {Parameters<typeof description>[0]} shown what is drawn, said once it stands still */
+  const describe = (shown) => {
+    clearTimeout(speech);
+    speech = setTimeout(() => {
+      said.textContent = description(shown);
+    }, STILL);
   };
 
   const render = () => {
@@ -165,7 +179,7 @@ export function createDiagram(element, actions) {
     handle.style.transform = `translate(${px(source.x)}px,${px(source.y)}px)`;
     put(handle, "aria-valuenow", Number(theta_i_deg.toFixed(4)));
     put(handle, "aria-valuetext", angle(theta_i_deg, values.angleUnit));
-    said.textContent = description({ ...values, reflected: share, passed: rest, depth });
+    describe({ ...values, reflected: share, passed: rest, depth });
   };
 
   const measure = () => {
@@ -199,6 +213,7 @@ export function createDiagram(element, actions) {
       render();
     },
     destroy() {
+      clearTimeout(speech);
       observer.disconnect();
       stopDragging();
       element.replaceChildren();

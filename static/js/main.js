@@ -22,6 +22,7 @@ const VIEWS = [
   { id: "compare", title: "Compare", load: () => import("./views/compare.js") },
 ];
 
+const ANSWER_DUE = 80; // ms that a picture in motion waits for its answer
 const PAGE_ANGLE = 64; // where the page starts: R, Rs and Rp are well apart
 const SAY_AFTER = 900; // ms of rest before the numbers are spoken
 
@@ -191,11 +192,28 @@ async function start() {
     return active === null ? undefined : opened.get(active);
   }
 
+  /** The query that a view cannot do without. */
+  let first = "";
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let overdue;
+
   function ask() {
     const here = current();
     if (!here) return;
     const wanted = here.module.queries(state.get(), catalog, state.moving());
-    for (const [name, path] of Object.entries(wanted)) runner(name).request(path);
+    first = Object.keys(wanted)[0] ?? "";
+    for (const [name, path] of Object.entries(wanted)) {
+      // While the first is on its way again and again, the others would only slow it down.
+      if (name === first || !state.moving() || !busy.has(first)) runner(name).request(path);
+    }
+  }
+
+  /** Draw what has just been set: with the answer if that is on its way, else now. */
+  function follow() {
+    clearTimeout(overdue);
+    if (!state.moving() || !busy.has(first)) schedule();
+    // A picture drawn twice, without and with its answer, takes the time that the next answer needs.
+    else overdue = setTimeout(schedule, ANSWER_DUE);
   }
 
   function schedule() {
@@ -279,7 +297,7 @@ async function start() {
     if (now.view !== active) await open(now.view);
     if (!moving) shell.notice("link", null);
     ask();
-    schedule();
+    follow();
   });
   window.addEventListener("popstate", () => void followLink());
   ask();

@@ -176,6 +176,9 @@ export function createOverlay(area) {
    * @param {string} yTitle
    */
   const placeMarks = (marks, arrangement, yTitle) => {
+    // A size of its own: one that follows the host's is laid out anew in each pass over the page.
+    put(root, "width", arrangement.size.width);
+    put(root, "height", arrangement.size.height);
     const { frame, xPixel, ranges } = arrangement;
     const inside = marks.filter(
       (mark) => mark.kind === "landmark" && mark.x >= ranges.x[0] && mark.x <= ranges.x[1],
