@@ -34,6 +34,7 @@ import { readTheme } from "./plot/theme.js";
  * @property {Axis | null} [y2]
  * @property {import("./plot/pick.js").OnPick} [onPick]
  * @property {string} [filename] without ending
+ * @property {number} [names] so many curves at most carry their names, more have a legend
  */
 
 /**
@@ -110,6 +111,7 @@ function valued(marks, axis) {
 export function createPlot(element, options) {
   const axes = { x: options.x, y: options.y, y2: options.y2 ?? null };
   let name = options.name;
+  const most = options.names ?? MOST_LABELS;
   element.classList.add("plot");
   element.setAttribute("role", "figure");
   element.setAttribute("aria-label", name);
@@ -153,7 +155,7 @@ export function createPlot(element, options) {
     const { x, points } = marker;
     overlay.placeMarker(x, points, traces, arrangement);
     if (x !== null && overlay.inTheWay(arrangement.xPixel(x))) {
-      overlay.placeNames(traces, arrangement, uprights());
+      overlay.placeNames(traces, arrangement, uprights(), most);
     }
     const { ranges, frame } = arrangement;
     const visible = x !== null && x >= ranges.x[0] && x <= ranges.x[1];
@@ -176,7 +178,7 @@ export function createPlot(element, options) {
   const decorate = () => {
     if (!arrangement) return;
     overlay.placeMarks(valued(marks, axes.x), arrangement, axes.y.title);
-    overlay.placeNames(traces, arrangement, uprights());
+    overlay.placeNames(traces, arrangement, uprights(), most);
     overlay.hideHover();
     placeMarker();
   };
@@ -248,7 +250,7 @@ export function createPlot(element, options) {
     });
 
   const showLegend = () => {
-    const wanted = traces.length > MOST_LABELS;
+    const wanted = traces.filter((trace) => !trace.bare).length > most;
     legend.hidden = !wanted;
     if (wanted) drawLegend(legend, traces);
   };
@@ -355,6 +357,7 @@ export function createPlot(element, options) {
           traces,
           marks: valued(shown, axes.x),
           bands,
+          most,
           axes,
           theme,
           size,

@@ -24,17 +24,28 @@ const PADDING = 12;
  * @param {readonly Trace[]} picture.traces
  * @param {readonly Mark[]} picture.marks
  * @param {readonly import("./model.js").Band[]} [picture.bands]
+ * @param {number} [picture.most] names at the curves
  * @param {import("./layout.js").Axes} picture.axes
  * @param {import("./theme.js").Theme} picture.theme
  * @param {import("./model.js").Size} picture.size
  * @returns {Plotly.Figure}
  */
-export function exportFigure({ title, traces, marks, bands = [], axes, theme, size }) {
+export function exportFigure({
+  title,
+  traces,
+  marks,
+  bands = [],
+  most = MOST_LABELS,
+  axes,
+  theme,
+  size,
+}) {
   const { family, symbolFamily } = theme;
   const text = createMeasure({ family, symbolFamily, size: 12 });
   const label = createMeasure({ family, symbolFamily, size: 13, symbolSize: LABEL_SIZE });
   const landmarks = marks.filter((mark) => mark.kind === "landmark");
-  const legend = traces.length > MOST_LABELS;
+  const named = traces.filter((trace) => !trace.bare);
+  const legend = named.length > most;
   const layoutSize = { width: size.width, height: size.height - (legend ? LEGEND_ROW : 0) };
   const arrangement = arrange({
     size: layoutSize,
@@ -105,7 +116,7 @@ export function exportFigure({ title, traces, marks, bands = [], axes, theme, si
     const placed = placeLabels({
       frame,
       uprights: marks.map((mark) => xPixel(mark.x)),
-      curves: traces.map((trace) => ({
+      curves: named.map((trace) => ({
         id: trace.id,
         width: label(trace.label) + 4,
         height: LABEL_SIZE + 2,
@@ -113,7 +124,7 @@ export function exportFigure({ title, traces, marks, bands = [], axes, theme, si
         y: trace.y.map((value) => (value === null ? null : yPixel(value, trace.axis))),
       })),
     });
-    for (const trace of traces) {
+    for (const trace of named) {
       const place = placed.get(trace.id);
       if (!place) continue;
       const symbol = plainText(trace.label).length <= 3;

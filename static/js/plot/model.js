@@ -12,6 +12,7 @@
  * @property {string} [unit] written behind a value
  * @property {"y" | "y2"} [axis]
  * @property {string} [column] heading in the CSV file, `id` when missing
+ * @property {boolean} [bare] whether no name stands at it, because another curve's says it too
  *
  * @typedef {{x: number, label: string, kind: "landmark" | "current"}} Mark
  *

@@ -121,12 +121,14 @@ export function createOverlay(area) {
   };
 
   /**
-   * @param {readonly Trace[]} traces
+   * @param {readonly Trace[]} all
    * @param {Arrangement} arrangement
    * @param {readonly number[]} uprights abscissas of lines, which names keep clear of
+   * @param {number} [most] names; more curves are left to a legend
    */
-  const placeNames = (traces, arrangement, uprights) => {
-    if (!measures || traces.length > MOST_LABELS) {
+  const placeNames = (all, arrangement, uprights, most = MOST_LABELS) => {
+    const traces = all.filter((trace) => !trace.bare);
+    if (!measures || traces.length > most) {
       standing = new Map();
       labels.rest(0);
       return;
