@@ -22,10 +22,11 @@ export function angleAxis({ angle }) {
 
 /**
  * @param {object} options
+ * @param {HTMLElement} options.parent in the document
  * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
  * @param {(name: string, blob: Blob) => void} options.save
  */
-export function createAngles({ actions, save }) {
+export function createAngles({ parent, actions, save }) {
   const field = wavelengths();
   const wrong = h("p", { class: "row-error", id: "nm-error", role: "alert" });
   const box = h("input", {
@@ -50,6 +51,7 @@ export function createAngles({ actions, save }) {
   /** @type {State | null} */
   let now = null;
   const panel = createPanel({
+    parent,
     title: "Over the angle, at wavelengths",
     name: "angles",
     controls: [
@@ -58,7 +60,7 @@ export function createAngles({ actions, save }) {
         { class: "nm-row" },
         h("label", { for: "nm" }, "at λ ="),
         box,
-        h("span", {}, "nm"),
+        h("span", { class: "unit" }, "nm"),
         h(
           "button",
           {
@@ -81,6 +83,7 @@ export function createAngles({ actions, save }) {
     name: "Reflectance over the angle at several wavelengths",
     x: angleAxis({ angle: "deg" }),
     y: { title: "reflectance", range: [0, 1] },
+    names: 6,
     onPick(x, { settled }) {
       const deg = inDegrees(x, now?.angle ?? "deg");
       actions.set({ theta_i_deg: Number(deg.toFixed(2)) }, { history: "replace" });

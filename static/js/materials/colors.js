@@ -31,11 +31,12 @@ const TITLES = {
 
 /**
  * @param {object} options
+ * @param {HTMLElement} options.parent in the document
  * @param {Catalog} options.catalog
  * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
  * @param {(name: string, blob: Blob) => void} options.save
  */
-export function createColors({ catalog, actions, save }) {
+export function createColors({ parent, catalog, actions, save }) {
   /** @type {State | null} */
   let now = null;
   const headings = [h("h3", {}), h("h3", {})];
@@ -59,6 +60,7 @@ export function createColors({ catalog, actions, save }) {
     errors,
   );
   const panel = createPanel({
+    parent,
     title: "Two Schlicks against the spectrum",
     name: "two-schlicks",
     hosts: frames.map((frame, i) =>
@@ -68,7 +70,7 @@ export function createColors({ catalog, actions, save }) {
     filename: () => `${now?.preset ?? "material"}-schlick`,
     save,
   });
-  panel.element.append(errorTable);
+  panel.element.append(h("div", { class: "rival-scroll" }, errorTable));
   /** @param {number} x @param {{settled: boolean}} how */
   const onPick = (x, { settled }) => {
     const deg = inDegrees(x, now?.angle ?? "deg");
@@ -88,13 +90,14 @@ export function createColors({ catalog, actions, save }) {
   /** @type {Trace[][]} */
   let traces = [[], []];
 
-  /** @param {any} colors @param {string} model @param {number[]} x @param {{dash: string, width: number, label: string}} how @returns {Trace[]} */
-  function channels(colors, model, x, { dash, width, label }) {
+  /** @param {any} colors @param {string} model @param {number[]} x @param {{dash: string, width: number, of: string, bare: boolean}} how @returns {Trace[]} */
+  function channels(colors, model, x, { dash, width, of, bare }) {
     const found = colors?.rgb?.curves.find((/** @type {any} */ c) => c.model === model);
     if (!found) return [];
     return CHANNELS.map(([key, letter, color]) => ({
       id: `${model}.R_${key}`,
-      label: `${letter}${label}`,
+      label: of ? `${letter}, ${of}` : letter,
+      bare,
       x,
       y: found[`R_${key}`],
       color,
@@ -145,7 +148,12 @@ export function createColors({ catalog, actions, save }) {
         ?.values ?? [];
     const x = xOf(index);
     const truth = colors
-      ? channels(colors, "spectral", xOf(colors), { dash: "solid", width: 2.2, label: "" })
+      ? channels(colors, "spectral", xOf(colors), {
+          dash: "solid",
+          width: 2.2,
+          of: "",
+          bare: false,
+        })
       : [
           {
             id: "exact",
@@ -171,7 +179,12 @@ export function createColors({ catalog, actions, save }) {
       colors
         ? [
             ...truth,
-            ...channels(colors, "schlick", xOf(colors), { dash: "dash", width: 2.2, label: "" }),
+            ...channels(colors, "schlick", xOf(colors), {
+              dash: "dash",
+              width: 2.2,
+              of: "Schlick",
+              bare: true,
+            }),
           ]
         : [],
     ];

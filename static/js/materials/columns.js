@@ -37,7 +37,7 @@ const CONFIDENCE = ["low", "medium", "high"];
 export function length(nm) {
   if (nm >= 1e6) return `${plain(nm / 1e6, 3)}\u00a0mm`;
   if (nm >= 10_000) return `${plain(nm / 1e3, 3)}\u00a0µm`;
-  return `${plain(nm, 4)}\u00a0nm`;
+  return `${plain(nm, nm < 1000 ? 3 : 4)}\u00a0nm`;
 }
 
 /** From where to where, with the unit once where it is the same. @param {readonly [number, number]} range */
@@ -49,7 +49,7 @@ export function stretch([low, high]) {
 }
 
 /** A coefficient in the width of a column: what is too weak to see keeps its power of ten. @param {number | null} x */
-function narrow(x) {
+export function narrow(x) {
   if (x === null) return "–";
   if (x === 0) return "0";
   return Math.abs(x) < 1e-3 ? significant(x, 2) : plain(x, 4);
@@ -94,13 +94,6 @@ export const COLUMNS = [
           ? "0"
           : "< 0.001"
         : m.color.luminance.toFixed(3),
-  },
-  {
-    name: "range",
-    heading: "known",
-    note: "wavelengths at which n is known; sorted by their shortest",
-    value: (m) => m.n_range_nm?.[0] ?? m.wavelength_nm,
-    print: (m) => (m.n_range_nm ? stretch(m.n_range_nm) : "–"),
   },
   {
     name: "confidence",

@@ -5,11 +5,8 @@ import { stretch } from "./columns.js";
 
 /** @typedef {import('../types.js').State} State */
 
-const TARGETS = /** @type {const} */ ([
-  ["explore", "Explore"],
-  ["compare", "Compare"],
-  ["albedo", "Albedo"],
-]);
+/** Views whose second medium a material can be. */
+const TARGETS = ["explore", "compare", "albedo", "preview"];
 /** @type {Record<string, string>} */
 const SAMPLES = {
   bulk: "bulk sample",
@@ -21,12 +18,17 @@ const SAMPLES = {
 /** @type {Record<string, string>} */
 const AXES = { o: "ordinary ray", e: "extraordinary ray" };
 
-/** @param {{set: (patch: State) => void}} actions */
-export function createHead(actions) {
+/**
+ * @param {object} options
+ * @param {readonly {id: string, title: string}[]} options.views
+ * @param {{set: (patch: State) => void}} options.actions
+ */
+export function createHead({ views, actions }) {
   const name = h("h2", { class: "material-name", tabindex: "-1" });
   const about = h("p", { class: "material-about" });
   let id = "";
-  const links = TARGETS.map(([view, title]) => {
+  const targets = views.filter((view) => TARGETS.includes(view.id));
+  const links = targets.map(({ id: view, title }) => {
     const link = h("a", { class: "use" }, title);
     link.addEventListener("click", (event) => {
       if (event.ctrlKey || event.metaKey || event.shiftKey) return;

@@ -13,10 +13,11 @@ const NAMES = /** @type {Record<string, string>} */ ({ R: "R", Rs: "Rₛ", Rp: "
 
 /**
  * @param {object} options
+ * @param {HTMLElement} options.parent in the document
  * @param {{set: (patch: State) => void}} options.actions
  * @param {(name: string, blob: Blob) => void} options.save
  */
-export function createMap({ actions, save }) {
+export function createMap({ parent, actions, save }) {
   const quantity = createChoice({
     legend: "Polarization",
     items: [
@@ -30,6 +31,7 @@ export function createMap({ actions, save }) {
   /** @type {State | null} */
   let now = null;
   const panel = createPanel({
+    parent,
     title: "Over angle and wavelength",
     name: "lambda-map",
     controls: [quantity.element],

@@ -209,7 +209,12 @@ export function createNumbers({ actions, say }) {
         const asked = state.at_nm ?? shown;
         at.value = asked === null ? "" : plain(asked, 8);
       }
-      at.disabled = next.kind !== "spectrum";
+      const single = next.kind !== "spectrum";
+      at.hidden = single;
+      setText(
+        unit,
+        !single ? "nm" : shown === null ? "no wavelength stated" : `${plain(shown)} nm alone`,
+      );
       at.title = next.n_range_nm ? `known for ${stretch(next.n_range_nm)}` : "";
       const most = Math.max(...next.color.F0);
       const policy =

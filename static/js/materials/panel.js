@@ -10,15 +10,25 @@ import { h, setText } from "../dom.js";
 
 /**
  * @param {object} options
+ * @param {HTMLElement} options.parent in the document, because plots read colours and sizes from it
  * @param {string} options.title
  * @param {string} options.name of its class
  * @param {(Node | null)[]} [options.controls]
  * @param {HTMLElement[]} options.hosts of the plots, one below or beside the other
- * @param {() => Figure[]} options.figures made after the panel stands in the document
+ * @param {() => Figure[]} options.figures
  * @param {() => string} options.filename without ending
  * @param {(name: string, blob: Blob) => void} options.save
  */
-export function createPanel({ title, name, controls = [], hosts, figures, filename, save }) {
+export function createPanel({
+  parent,
+  title,
+  name,
+  controls = [],
+  hosts,
+  figures,
+  filename,
+  save,
+}) {
   const exports = h(
     "p",
     { class: "exports" },
@@ -57,6 +67,7 @@ export function createPanel({ title, name, controls = [], hosts, figures, filena
     note,
     dataTable,
   );
+  parent.append(element);
   function fill() {
     if (dataTable.open) tables.replaceChildren(...figures().map((f) => f.table()));
   }

@@ -3,15 +3,17 @@
 import { copyText, flash } from "../clipboard.js";
 import { h, setText } from "../dom.js";
 import { plain } from "../format.js";
-import { stretch } from "./columns.js";
+import { narrow, stretch } from "./columns.js";
 
-/** @param {string} key such as temperature_K */
-function condition(key) {
-  const [, name = key, unit = ""] = /^(.*?)(?:_([A-Za-z]+))?$/.exec(key) ?? [];
-  const known = { K: "K", C: "°C", nm: "nm", um: "µm", Pa: "Pa", kPa: "kPa" }[unit];
-  return known
-    ? { name: name.replaceAll("_", " "), unit: known }
-    : { name: key.replaceAll("_", " "), unit: "" };
+/** Units that end the names of conditions. @type {Record<string, string>} */
+const UNITS = { k: "K", pa: "Pa", nm: "nm" };
+
+/** A condition in words: `temperature_k` 293 is "temperature 293 K". @param {string} key @param {string | number} value */
+export function condition(key, value) {
+  const parts = key.split("_");
+  const unit = typeof value === "number" ? UNITS[parts.at(-1) ?? ""] : undefined;
+  const name = (unit ? parts.slice(0, -1) : parts).join(" ");
+  return `${name} ${typeof value === "number" ? plain(value) : value}${unit ? `\u00a0${unit}` : ""}`;
 }
 
 /** What a reader would cite. @param {any} detail */
@@ -60,10 +62,7 @@ export function createSource(say) {
           href: url,
         })),
       ];
-      const said = Object.entries(conditions).map(([key, value]) => {
-        const { name, unit } = condition(key);
-        return `${name} ${typeof value === "number" ? plain(value) : value}${unit ? `\u00a0${unit}` : ""}`;
-      });
+      const said = Object.entries(conditions).map(([key, value]) => condition(key, value));
       list.replaceChildren(
         entry("Reference", detail.source),
         ...links.map((l) => entry("Link", h("a", { href: l.href, rel: "noreferrer" }, l.text))),
@@ -128,7 +127,7 @@ export function createRivals(onPick) {
           h(
             "tr",
             {},
-            ...["measurement", "Y", "difference", "n", "k", "sample", "confidence"].map((t) =>
+            ...["measurement", "Y", "difference", "n", "k", "sample, confidence"].map((t) =>
               h("th", { scope: "col" }, t),
             ),
           ),
@@ -146,12 +145,14 @@ export function createRivals(onPick) {
       if (shown === detail) return;
       shown = detail;
       element.hidden = detail.rivals.length === 0;
+      // What dielectrics differ by is seen in the fourth digit.
+      const fixed = (/** @type {number} */ Y) => Y.toFixed(detail.color.luminance < 0.2 ? 5 : 3);
       const own = { ...detail, luminance: detail.color.luminance };
       const all = [own, ...detail.rivals].sort((a, b) => a.luminance - b.luminance);
       const { minimum, maximum } = detail.spread;
       setText(
         summary,
-        `Luminous reflectance at normal incidence lies between ${minimum.toFixed(3)} and ${maximum.toFixed(3)} in ${all.length} measurements: which one is taken changes it by ${(maximum - minimum).toFixed(3)}.`,
+        `Luminous reflectance at normal incidence lies between ${fixed(minimum)} and ${fixed(maximum)} in ${all.length} measurements: which one is taken changes it by ${fixed(maximum - minimum)}.`,
       );
       body.replaceChildren(
         ...all.map((one) => {
@@ -176,12 +177,11 @@ export function createRivals(onPick) {
                     one.name,
                   ),
             ),
-            h("td", {}, one.luminance.toFixed(3)),
-            h("td", {}, here ? "shown" : `${by < 0 ? "−" : "+"}${Math.abs(by).toFixed(3)}`),
+            h("td", {}, fixed(one.luminance)),
+            h("td", {}, here ? "shown" : `${by < 0 ? "−" : "+"}${fixed(Math.abs(by))}`),
             h("td", {}, plain(one.n, 4)),
-            h("td", {}, one.k === null ? "–" : plain(one.k, 4)),
-            h("td", {}, one.sample),
-            h("td", {}, one.confidence),
+            h("td", {}, narrow(one.k)),
+            h("td", {}, `${one.sample}, ${one.confidence}`),
           );
         }),
       );

@@ -35,11 +35,12 @@ export function shownRange(spectrum, { reach }) {
 
 /**
  * @param {object} options
+ * @param {HTMLElement} options.parent in the document
  * @param {Catalog} options.catalog
  * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
  * @param {(name: string, blob: Blob) => void} options.save
  */
-export function createSpectrum({ catalog, actions, save }) {
+export function createSpectrum({ parent, catalog, actions, save }) {
   const what = createChoice({
     legend: "Quantity",
     items: [
@@ -52,7 +53,7 @@ export function createSpectrum({ catalog, actions, save }) {
     legend: "Wavelengths",
     items: [
       { value: "visible", label: "visible" },
-      { value: "all", label: "all known" },
+      { value: "all", label: "all", note: "all that is known" },
     ],
     onChange: ([value]) => actions.set({ reach: value }),
   });
@@ -76,6 +77,7 @@ export function createSpectrum({ catalog, actions, save }) {
   /** @type {any} */
   let spectrum = null;
   const panel = createPanel({
+    parent,
     title: "Over the wavelength",
     name: "spectrum",
     controls: [what.element, reach.element, axis.element, rivals.element],
@@ -196,6 +198,7 @@ export function createSpectrum({ catalog, actions, save }) {
           color: styles[key]?.color ?? "--R",
         }))
       : [];
+    const highest = Math.max(0, ...traces.flatMap((t) => t.y.map((v) => v ?? 0)));
     plot.axes({
       name: `${asF0 ? "Reflectance at normal incidence" : "n and k"} of ${name?.name} over the wavelength`,
       x: {
@@ -207,7 +210,10 @@ export function createSpectrum({ catalog, actions, save }) {
         ...(log && { scale: /** @type {const} */ ("log") }),
         steps: { step: 5, fine: 0.5, page: 50 },
       },
-      y: { title: asF0 ? "reflectance at 0°" : "n, k", range: asF0 ? [0, 1] : null },
+      y: {
+        title: asF0 ? "reflectance at 0°" : "n, k",
+        range: asF0 && highest > 0.4 ? [0, 1] : null,
+      },
     });
     void plot.draw(traces, limits(own, wide), bands);
     panel.fill();

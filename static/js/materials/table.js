@@ -1,7 +1,7 @@
 /** The table of presets: one stop for the Tab key, arrows walk through it, the row walked to is shown. */
 
 import { h, setText } from "../dom.js";
-import { COLUMNS, sortedPresets } from "./columns.js";
+import { COLUMNS, sortedPresets, stretch } from "./columns.js";
 
 /** @typedef {import('./columns.js').Preset} Preset */
 
@@ -67,8 +67,7 @@ export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
     const swatch = h("span", { class: "swatch", "aria-hidden": "true" });
     const about = [
       preset.category,
-      preset.kind === "single" ? "one index" : "",
-      preset.rival_of ? "rival" : "",
+      preset.kind === "single" || !preset.n_range_nm ? "one index" : stretch(preset.n_range_nm),
     ];
     const pick = h(
       "button",
@@ -81,7 +80,7 @@ export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
       },
       swatch,
       h("span", { class: "entry-name" }, preset.name),
-      h("span", { class: "entry-about" }, about.filter(Boolean).join(", ")),
+      h("span", { class: "entry-about" }, about.join(" · ")),
     );
     const cells = COLUMNS.slice(1).map((c) => h("td", { class: `c-${c.name}` }, c.print(preset)));
     const tr = h("tr", { "data-id": preset.id }, h("th", { scope: "row" }, pick), ...cells);
@@ -100,16 +99,17 @@ export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
     if (preset.id !== chosen) onPick(preset.id, true);
   }
 
-  /** @param {string} id */
-  function reveal(id) {
+  /** Scroll the table, not the page; to the middle where the row came from elsewhere. @param {string} id @param {boolean} [middle] */
+  function reveal(id, middle = false) {
     const tr = lines.get(id)?.tr;
-    if (!tr?.isConnected || element.clientHeight === 0) return;
+    if (!tr?.isConnected) return;
     const head = headings[0]?.th.offsetHeight ?? 0;
     const top = tr.offsetTop - head;
     const bottom = tr.offsetTop + tr.offsetHeight;
-    if (top < element.scrollTop) element.scrollTop = top;
-    else if (bottom > element.scrollTop + element.clientHeight)
-      element.scrollTop = bottom - element.clientHeight;
+    const { scrollTop, clientHeight } = element;
+    if (top >= scrollTop && bottom <= scrollTop + clientHeight) return;
+    if (middle) element.scrollTop = top - (clientHeight - head) / 2;
+    else element.scrollTop = top < scrollTop ? top : bottom - clientHeight;
   }
 
   body.addEventListener("keydown", (event) => {
@@ -189,7 +189,7 @@ export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
         }
         pick.tabIndex = id === stop ? 0 : -1;
       }
-      if (before !== preset) reveal(preset);
+      if (before !== preset) requestAnimationFrame(() => reveal(preset, true));
     },
     /** @param {string} text */
     caption: (text) => setText(/** @type {HTMLElement} */ (table.caption), text),

@@ -29,7 +29,7 @@ await Promise.all(["heatmap", "materials"].map((name) => loadStyle(`css/${name}.
 const NARROW = "(max-width: 900px)";
 
 /** @param {ViewContext} context */
-export function createView({ element, catalog, actions, state, say, save }) {
+export function createView({ element, views, catalog, actions, state, say, save }) {
   /** @param {string} id @param {boolean} moving */
   function pick(id, moving) {
     actions.set({ preset: id, ...kept(state(), id) }, { history: moving ? "replace" : "push" });
@@ -51,7 +51,7 @@ export function createView({ element, catalog, actions, state, say, save }) {
   }
 
   const browser = createBrowser({ catalog, actions, onPick: pick });
-  const head = createHead(actions);
+  const head = createHead({ views, actions });
   const numbers = createNumbers({ actions, say });
   const examples = createExamples({
     onShow: actions.set,
@@ -60,26 +60,16 @@ export function createView({ element, catalog, actions, state, say, save }) {
   const source = createSource(say);
   const rivals = createRivals((id) => pick(id, false));
   const detail = h("div", { class: "material", role: "region", "aria-label": "Material" });
+  const sheets = h("div", { class: "sheets" });
   element.append(browser.element, detail);
-  const spectrum = createSpectrum({ catalog, actions, save });
-  const angles = createAngles({ actions, save });
-  const colors = createColors({ catalog, actions, save });
-  const map = createMap({ actions, save });
+  detail.append(examples.element, head.element, numbers.element, sheets);
+  const parent = sheets;
+  const spectrum = createSpectrum({ parent, catalog, actions, save });
+  const angles = createAngles({ parent, actions, save });
+  const colors = createColors({ parent, catalog, actions, save });
+  const map = createMap({ parent, actions, save });
   const figures = [spectrum, angles, map];
-  detail.append(
-    examples.element,
-    head.element,
-    numbers.element,
-    h(
-      "div",
-      { class: "sheets" },
-      spectrum.panel.element,
-      angles.panel.element,
-      colors.panel.element,
-      map.panel.element,
-      h("div", { class: "beside" }, rivals.element, source.element),
-    ),
-  );
+  sheets.append(h("div", { class: "beside" }, rivals.element, source.element));
 
   /** @type {Record<string, {title: string, lines: string[]} | undefined>} what went wrong, by the query's name */
   const problems = {};
