@@ -20,6 +20,7 @@ import { typeset } from "./typeset.js";
 const VIEWS = [
   { id: "explore", title: "Explore", load: () => import("./views/explore.js") },
   { id: "compare", title: "Compare", load: () => import("./views/compare.js") },
+  { id: "materials", title: "Materials", load: () => import("./views/materials.js") },
 ];
 
 const ANSWER_DUE = 80; // ms that a picture in motion waits for its answer
@@ -255,6 +256,7 @@ async function start() {
       const actions = { set: state.set, settle: state.settle };
       const view = module.createView({
         element: host,
+        views: VIEWS,
         catalog,
         presets,
         state: state.get,

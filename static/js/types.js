@@ -25,6 +25,7 @@
  *   width?: number, unit?: string, axis?: 'y' | 'y2'}} Trace
  * @typedef {object} ViewContext what main.js gives to a view
  * @property {HTMLElement} element
+ * @property {readonly {id: string, title: string}[]} views all there are
  * @property {Catalog} catalog
  * @property {State} presets the state's defaults
  * @property {() => State} state
