@@ -1,0 +1,232 @@
+"""`/convert`: an interface in every other form, each with what is lost."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated, Any
+
+import numpy as np
+from fastapi import APIRouter, Query, Request
+from pydantic import BaseModel, BeforeValidator, Field, WithJsonSchema
+from starlette.responses import Response
+
+from app.api.params import InterfaceQuery, Number, TableQuery, number
+from app.api.problems import BadParameters, ParameterError
+from app.api.responses import CONVENTION, json_response
+from app.api.route import QueryRoute
+from app.api.row_table import rows_csv_response
+from app.optics.conversions import (
+    F0_LINEAR,
+    F0_SRGB,
+    FILAMENT,
+    SEEN_FROM,
+    SPECULAR,
+    TAKES,
+    Conversion,
+    Form,
+    Known,
+    Status,
+    convert,
+    hex_channels,
+    know,
+)
+from app.optics.edge_tint import EDGE_TINT, REFLECTANCE, TINT_ANGLE
+from app.optics.parameters import Parameter
+
+CHANNELS = ("red", "green", "blue")
+_SEVERITY: tuple[Status, ...] = ("exact", "lossy", "infeasible")
+_MEDIA = ("n_i", "n_t", "k_t")
+
+
+def _numbers(text: object) -> object:
+    """Split three comma-separated numbers."""
+    if not isinstance(text, str):
+        return text
+    if "_" in text:
+        raise ValueError("a number has no underscore")
+    parts = tuple(text.split(","))
+    if len(parts) not in (1, 3):
+        raise ValueError("one number, or three separated by commas")
+    return parts[0] if len(parts) == 1 else parts
+
+
+OneOrThree = Annotated[
+    float | tuple[float, float, float] | None,
+    BeforeValidator(_numbers),
+    WithJsonSchema({"type": "string", "examples": ["0.04", "1.0,0.766,0.336"]}),
+]
+
+
+def _one_or_three(parameter: Parameter) -> Any:
+    # The core checks the bounds, which pydantic cannot put on one number or three.
+    return Field(
+        None, description=f"{parameter.description} One number, or three for red, green and blue."
+    )
+
+
+class ConvertQuery(InterfaceQuery, TableQuery):
+    """What is given, in one form."""
+
+    from_: Form = Field(
+        "ior",
+        alias="from",
+        description="The form that is given: ior takes n_t (or a material that does not absorb), "
+        "nk takes n_t and k_t (or any material), f0 F0, f0_srgb F0_srgb or hex, rg r and g, dg r and "
+        "G, specular and reflectance what they are called.",
+    )
+    F0: OneOrThree = _one_or_three(F0_LINEAR)
+    F0_srgb: OneOrThree = _one_or_three(F0_SRGB)
+    hex: str | None = Field(None, max_length=7, description="F0 as an 8-bit sRGB color, #rrggbb.")
+    r: OneOrThree = _one_or_three(REFLECTANCE)
+    g: OneOrThree = _one_or_three(EDGE_TINT)
+    G: OneOrThree = _one_or_three(TINT_ANGLE)
+    specular: Number | None = number(SPECULAR)
+    reflectance: Number | None = number(FILAMENT)
+    seen_from: Number = number(SEEN_FROM)
+
+
+class ChannelOut(BaseModel):
+    """Status of one channel."""
+
+    status: Status
+    why: str
+
+
+class ConversionOut(BaseModel):
+    """One form of what was given."""
+
+    form: str
+    title: str
+    values: dict[str, float | str | list[float | None] | None] = Field(
+        description="Numbers by name, lists of three where three were given; null where there is none."
+    )
+    status: Status = Field(description="The worst of the channels.")
+    why: str
+    channels: list[ChannelOut] | None = Field(description="Of red, green and blue, if three.")
+
+
+class ConvertOut(BaseModel):
+    """Every form of what was given."""
+
+    from_: str = Field(alias="from")
+    given: dict[str, float | str | list[float]]
+    n_i: float
+    seen_from: float
+    convention: str
+    material: dict[str, Any] | None
+    results: list[ConversionOut]
+
+
+def given_values(query: ConvertQuery) -> dict[str, tuple[float, ...]]:
+    """The numbers of the form that is given, each as often as there are channels.
+
+    Raises
+    ------
+    BadParameters
+        If one is missing, is another form's or comes in another number than the rest.
+    NotAllowed
+        If the hexadecimal color is none.
+    """
+    form, wanted = query.from_, [parameter.name for parameter in TAKES[query.from_]]
+    found: dict[str, tuple[float, ...]] = {}
+    errors: list[ParameterError] = []
+    own = {*wanted, "hex"} if form == "f0_srgb" else {*wanted}
+    foreign = {p.name for parameters in TAKES.values() for p in parameters} | {"hex"}
+    for name in sorted(foreign - own):
+        # What a material does not say of itself is not asked for: its k belongs to nk alone.
+        if name in query.model_fields_set and getattr(query, name) is not None:
+            message = f"not beside from={form}, which takes {' and '.join(sorted(own))}"
+            errors.append({"parameter": name, "value": getattr(query, name), "message": message})
+    if query.material is not None and form not in ("ior", "nk"):
+        message = f"not beside from={form}; from=nk takes it"
+        errors.append({"parameter": "material", "value": query.material, "message": message})
+    if query.hex is not None and form == "f0_srgb":
+        if query.F0_srgb is not None:
+            message = "either hex or F0_srgb"
+            errors.append({"parameter": "hex", "value": query.hex, "message": message})
+        found["F0_srgb"] = hex_channels(query.hex)
+    for name in [name for name in wanted if name not in found]:
+        value = getattr(query, name)
+        if value is None:
+            errors.append({"parameter": name, "value": None, "message": f"needed by from={form}"})
+        else:
+            found[name] = value if isinstance(value, tuple) else (value,)
+    if errors:
+        raise BadParameters(*errors)
+    if query.material is not None and form == "ior" and query.k_t > 0.0:
+        message = f"absorbs, k_t = {query.k_t:g}; from=nk takes it"
+        raise BadParameters({"parameter": "material", "value": query.material, "message": message})
+    channels = max(len(values) for values in found.values())
+    return {n: v if len(v) == channels else v * channels for n, v in found.items()}
+
+
+def merged(conversions: Sequence[Conversion]) -> dict[str, Any]:
+    """One result of the same form's conversions of one or three channels."""
+    first, single = conversions[0], len(conversions) == 1
+    values: dict[str, Any] = {
+        name: first.values[name] if single else [c.values[name] for c in conversions]
+        for name in first.values
+    }
+    if "hex" in values and not single:
+        values["hex"] = "#" + "".join(str(c.values["hex"])[1:3] for c in conversions)
+    worst = max(conversions, key=lambda c: _SEVERITY.index(c.status))
+    reasons = {c.why for c in conversions}
+    named = zip(CHANNELS, conversions, strict=False)
+    return {
+        "form": first.form,
+        "title": first.title,
+        "values": values,
+        "status": worst.status,
+        "why": worst.why if len(reasons) == 1 else "; ".join(f"{n}: {c.why}" for n, c in named),
+        "channels": None if single else [{"status": c.status, "why": c.why} for c in conversions],
+    }
+
+
+def _csv_rows(results: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    rows = []
+    for result in results:
+        for name, value in result["values"].items():
+            columns = (
+                zip(CHANNELS, value, strict=True) if isinstance(value, list) else [("value", value)]
+            )
+            rows.append({**result, "name": name, **dict(columns)})
+    return rows
+
+
+def router() -> APIRouter:
+    """Routes about conversions."""
+    routes = APIRouter(route_class=QueryRoute, tags=["convert"])
+
+    @routes.get("/convert", response_model=ConvertOut, summary="n, k, F0, tints and engine values")
+    async def converted(request: Request, query: Annotated[ConvertQuery, Query()]) -> Response:
+        given = given_values(query)
+        single = all(len(values) == 1 for values in given.values())
+        known: list[Known] = [
+            know(query.from_, query.n_i, **dict(zip(given, channel, strict=True)))
+            for channel in zip(*given.values(), strict=True)
+        ]
+        forms = zip(*(convert(one, query.seen_from) for one in known), strict=True)
+        results = [merged(conversions) for conversions in forms]
+        if query.format == "csv":
+            numbers = ["value"] if single else [*CHANNELS]
+            # A color's hexadecimal code is one for all three channels.
+            header = ["form", "name", *dict.fromkeys(["value", *numbers]), "status", "why"]
+            rows = _csv_rows(results)
+            return rows_csv_response(request, header, rows, query.digits, "fresnel_convert.csv")
+        interface = query.interface()
+        material = getattr(interface, "material", None)
+        payload = {
+            "from": query.from_,
+            "given": {
+                **{n: v[0] if single else list(v) for n, v in given.items()},
+                **({} if query.hex is None else {"hex": query.hex}),
+            },
+            "n_i": float(np.asarray(interface.n_i)),
+            "seen_from": query.seen_from,
+            "convention": CONVENTION,
+            "material": None if material is None else material.as_json(),
+            "results": results,
+        }
+        return json_response(request, payload, query.digits)
+
+    return routes

@@ -1,0 +1,154 @@
+"""The route that converts: forms, triples, colors and materials, and refusals."""
+
+from __future__ import annotations
+
+import asyncio
+import csv
+import io
+from collections.abc import Callable
+from typing import Any
+
+import httpx
+import pytest
+from fastapi import FastAPI
+
+from app.api import convert, problems
+from app.api.convert import ConvertOut
+from app.optics.color import decode_srgb
+from app.settings import Settings
+
+Get = Callable[..., httpx.Response]
+
+
+@pytest.fixture(scope="module")
+def get() -> Get:
+    app = FastAPI()
+    app.state.settings = Settings()
+    problems.install(app)
+    app.include_router(convert.router(), prefix="/api/v1")
+
+    def ask(**parameters: Any) -> httpx.Response:
+        async def request() -> httpx.Response:
+            transport = httpx.ASGITransport(app=app)
+            async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
+                query = {name.rstrip("_"): value for name, value in parameters.items()}
+                return await client.get("/api/v1/convert", params=query)
+
+        return asyncio.run(request())
+
+    return ask
+
+
+def results(answer: httpx.Response) -> dict[str, dict[str, Any]]:
+    assert answer.status_code == 200, answer.text
+    ConvertOut.model_validate(answer.json())
+    return {result["form"]: result for result in answer.json()["results"]}
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {},
+        {"from_": "ior", "n_t": 1.5},
+        {"from_": "nk", "n_t": 1.5, "k_t": 0.0},
+        {"from_": "f0", "F0": 0.04},
+        {"from_": "f0_srgb", "F0_srgb": 0.22091636254849623},
+        {"from_": "rg", "r": 0.04, "g": 0.0},
+        {"from_": "dg", "r": 0.04, "G": 0.0},
+        {"from_": "specular", "specular": 0.5},
+        {"from_": "reflectance", "reflectance": 0.5},
+    ],
+    ids=str,
+)
+def test_one_glass_in_every_form(get: Get, given: dict[str, Any]) -> None:
+    found = results(get(**given))
+    assert found["ior"]["values"]["n_t"] == pytest.approx(1.5, rel=1e-12)
+    assert found["ior"]["status"] == "exact"
+    assert found["f0"]["values"]["F0"] == pytest.approx(0.04, rel=1e-12)
+    assert found["f0_seen_from"]["values"]["F0"] == pytest.approx((0.167 / 2.833) ** 2, rel=1e-9)
+    assert found["f0_hex"]["values"]["hex"] == "#383838"
+    assert found["f0"]["channels"] is None
+
+
+def test_another_medium_in_front(get: Get) -> None:
+    answer = get(from_="f0", F0=0.04, n_i=1.333, seen_from=1.0)
+    assert results(answer)["ior"]["values"]["n_t"] == pytest.approx(1.333 * 1.5, rel=1e-12)
+    assert answer.json()["n_i"] == 1.333
+    assert answer.json()["seen_from"] == 1.0
+
+
+def test_a_color_of_a_picture(get: Get) -> None:
+    answer = get(from_="f0_srgb", hex="#ffd700")
+    found = results(answer)
+    expected = decode_srgb([1.0, 215 / 255, 0.0])
+    assert found["f0"]["values"]["F0"] == pytest.approx(list(expected))
+    assert found["f0_hex"]["values"]["hex"] == "#ffd700"
+    assert found["f0_hex"]["status"] == "exact"
+    assert found["ior"]["status"] == "infeasible"  # red is a perfect mirror
+    assert [channel["status"] for channel in found["ior"]["channels"]] == [
+        "infeasible",
+        "exact",
+        "exact",
+    ]
+    assert found["ior"]["values"]["n_t"][0] is None
+    assert found["ior"]["why"].startswith("red: F0 = 1")
+    assert answer.json()["given"]["hex"] == "#ffd700"
+
+
+def test_three_channels_of_gulbrandsen(get: Get) -> None:
+    found = results(get(from_="rg", r="0.98,0.77,0.34", g=0.5))
+    assert len(found["nk"]["values"]["n_t"]) == 3
+    assert found["rg"]["values"]["g"] == pytest.approx([0.5, 0.5, 0.5], abs=1e-9)
+    alone = results(get(from_="rg", r=0.77, g=0.5))
+    assert found["nk"]["values"]["k_t"][1] == alone["nk"]["values"]["k_t"]
+
+
+def test_a_material(get: Get) -> None:
+    answer = get(from_="nk", material="Au")
+    found = results(answer)
+    assert answer.json()["material"]["id"] == "Au"
+    assert found["ior"]["status"] == "lossy"
+    assert found["dg"]["status"] == "exact"
+
+
+def test_as_csv(get: Get) -> None:
+    answer = get(from_="f0", F0=1.0, format="csv", digits=5)
+    rows = list(csv.DictReader(io.StringIO(answer.text)))
+    named = {(row["form"], row["name"]): row for row in rows}
+    assert named["ior", "n_t"]["value"] == ""
+    assert named["ior", "n_t"]["status"] == "infeasible"
+    assert named["f0", "F0"]["value"] == "1.0"
+    triple = list(csv.DictReader(io.StringIO(get(from_="f0", F0="1,0.5,0", format="csv").text)))
+    (row,) = [row for row in triple if row["form"] == "f0"]
+    assert [row["red"], row["green"], row["blue"]] == ["1.0", "0.5", "0.0"]
+    (code,) = [row for row in triple if row["name"] == "hex"]
+    assert code["value"] == "#ffbc00"
+
+
+@pytest.mark.parametrize(
+    ("parameters", "name"),
+    [
+        ({"from_": "fzero"}, "from"),
+        ({"from_": "f0"}, "F0"),
+        ({"from_": "f0", "F0": 1.5}, "F0"),
+        ({"from_": "f0", "F0": "nan"}, "F0"),
+        ({"from_": "f0", "F0": "0.1,0.2"}, "F0"),
+        ({"from_": "f0", "F0": 0.5, "n_t": 1.5}, "n_t"),
+        ({"from_": "ior", "n_t": 1.5, "k_t": 2.0}, "k_t"),
+        ({"from_": "ior", "n_t": 1.5, "F0": 0.04}, "F0"),
+        ({"from_": "ior", "material": "Au"}, "material"),
+        ({"from_": "f0", "F0": 0.5, "material": "Au"}, "material"),
+        ({"from_": "f0_srgb", "hex": "#12"}, "hex"),
+        ({"from_": "f0_srgb", "hex": "#123456", "F0_srgb": 0.5}, "hex"),
+        ({"from_": "rg", "r": 0.5}, "g"),
+        ({"from_": "specular", "specular": 1.01}, "specular"),
+        ({"seen_from": 0.0}, "seen_from"),
+        ({"to": "f0"}, "to"),
+    ],
+    ids=str,
+)
+def test_refused(get: Get, parameters: dict[str, Any], name: str) -> None:
+    answer = get(**parameters)
+    assert answer.status_code == 422
+    assert answer.headers["content-type"] == "application/problem+json"
+    assert [error["parameter"] for error in answer.json()["errors"]] == [name]
