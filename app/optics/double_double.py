@@ -45,7 +45,7 @@ def _constant(value: Fraction) -> Double2:
     return Double2(high, float(value - Fraction(high)))
 
 
-_THIRD, _FIFTH = _constant(Fraction(-1, 3)), _constant(Fraction(1, 5))
+_THIRD, _FIFTH, _SEVENTH = (_constant(Fraction(*f)) for f in ((-1, 3), (1, 5), (-1, 7)))
 _DEGREES = _constant(Fraction(180 * _DIGITS, _PI))
 
 
@@ -102,7 +102,7 @@ def square_root(a: Double2) -> Double2:
 
 
 def arctan_deg(y: Double2, x: Double2) -> Double2:
-    """arctan(y / x) in degrees, 0 to 90, to about 30 digits, for y >= 0 and x >= 0."""
+    """arctan(y / x) in degrees, 0 to 90, to 31 digits, for y >= 0 and x >= 0."""
     whole: Number
     table: Sequence[Number] | Array
     if isinstance(y.high, np.ndarray):
@@ -115,12 +115,12 @@ def arctan_deg(y: Double2, x: Double2) -> Double2:
     cosine, sine = Double2(cos_high, cos_low), Double2(sin_high, sin_low)
     numerator = add(multiply(cosine, y), negative(multiply(sine, x)))
     z = divide(numerator, add(multiply(cosine, x), multiply(sine, y)))
-    # |z| < tan(0.5 deg): the series converges by 1e-4 a term, and from z^7 on doubles suffice.
+    # |z| < tan(0.5 deg): the series converges by 1e-4 a term, and from z^9 on a double suffices.
     square = multiply(z, z)
     s = square.high
-    tail = s**3 * (-1.0 / 7.0 + s * (1.0 / 9.0 - s * (1.0 / 11.0 - s / 13.0)))
-    fifth = multiply(multiply(square, square), _FIFTH)
-    series = add(add(multiply(square, _THIRD), fifth), Double2(tail))
+    series = Double2(s * (1.0 / 9.0 - s * (1.0 / 11.0 - s * (1.0 / 13.0 - s / 15.0))))
+    for coefficient in (_SEVENTH, _FIFTH, _THIRD):
+        series = multiply(square, add(coefficient, series))
     angle = add(z, multiply(z, series))
     return add(Double2(whole), multiply(angle, _DEGREES))
 
