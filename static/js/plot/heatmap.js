@@ -16,6 +16,7 @@ import { CONFIG, plotlyLayout, unitSuffix } from "./figure.js";
 import { gridCsv, gridTable } from "./grid.js";
 import { arrange } from "./layout.js";
 import { library } from "./library.js";
+import { createOutlines, regionShapes } from "./regions.js";
 import { readTheme } from "./theme.js";
 
 /**
@@ -30,6 +31,7 @@ import { readTheme } from "./theme.js";
  * @property {Axis} x
  * @property {Axis} y
  * @property {Values} z
+ * @property {readonly import("./regions.js").Region[]} [regions] to be outlined
  * @property {(x: number, y: number) => void} onPick
  */
 
@@ -42,9 +44,14 @@ export function nearest(values, value) {
   return Math.min(Math.max(at, 0), values.length - 1);
 }
 
+/** Whether any cell lies beyond a range. @param {Grid["z"]} z @param {readonly [number, number]} range */
+function reaches(z, [low, high]) {
+  return z.some((row) => row.some((v) => v !== null && (v < low || v > high)));
+}
+
 /** @param {HTMLElement} element @param {MapOptions} options */
 export function createHeatmap(element, options) {
-  let { name, x: xAxis, y: yAxis, z: values } = options;
+  let { name, x: xAxis, y: yAxis, z: values, regions = [] } = options;
   element.classList.add("plot", "heatmap");
   element.setAttribute("role", "figure");
   const area = document.createElement("div");
@@ -56,6 +63,7 @@ export function createHeatmap(element, options) {
   const line = svg("path", { class: "map-level" }, root);
   const lineCasing = svg("path", { class: "map-level-casing" }, root);
   root.insertBefore(lineCasing, line);
+  const outlines = createOutlines(root);
   const crossX = svg("line", { class: "plot-marker-line" }, root);
   const crossY = svg("line", { class: "plot-marker-line" }, root);
   const handle = document.createElement("div");
@@ -237,6 +245,7 @@ export function createHeatmap(element, options) {
       CONFIG,
     );
     placeLevel();
+    outlines.place(regions, arrangement);
     placeCross();
     await drawn;
   }
@@ -331,16 +340,22 @@ export function createHeatmap(element, options) {
   observer.observe(area);
 
   return {
-    /** @param {Grid} next @param {Partial<Pick<MapOptions, "name" | "x" | "y" | "z">>} [changes] */
+    /** @param {Grid} next @param {Partial<Pick<MapOptions, "name" | "x" | "y" | "z" | "regions">>} [changes] */
     draw(next, changes = {}) {
       grid = next;
       name = changes.name ?? name;
       xAxis = changes.x ?? xAxis;
       yAxis = changes.y ?? yAxis;
       values = changes.z ?? values;
+      regions = changes.regions ?? regions;
       probe = null;
       scale = values.range
-        ? { kind: values.kind, low: values.range[0], high: values.range[1], capped: false }
+        ? {
+            kind: values.kind,
+            low: values.range[0],
+            high: values.range[1],
+            capped: reaches(grid.z, values.range),
+          }
         : scaleOf(grid.z, values.kind);
       element.setAttribute("aria-label", name);
       placeKey();
@@ -374,6 +389,7 @@ export function createHeatmap(element, options) {
           layout: {
             ...bare,
             ...size,
+            shapes: regionShapes(regions, theme.ink),
             margin: { ...bare.margin, r: layout.margins.right + 110 },
             title: {
               text: `<b>${name}</b>`,
