@@ -1,0 +1,44 @@
+/**
+ * The shapes that `/albedo` sends, and what of them the view reads.
+ *
+ * @typedef {'unpolarized' | 's' | 'p'} Quantity
+ * @typedef {{kind: 'dielectric' | 'conductor', eta: [number, number], kappa: [number, number]}} Domain
+ * @typedef {{domain: Domain, claimed: number | null, relative: boolean, source: string, measured: number,
+ *   at: {eta: number, kappa: number}, measured_over: Domain, holds: boolean | null}} Claim
+ * @typedef {{id: string, title: string, quantity: Quantity, domains: Domain[], latex: string,
+ *   reference: string, note: string, claims: Claim[]}} Fit
+ * @typedef {{kind: 'exact' | 'fit' | 'model', id: string, quantity: Quantity, values: (number | null)[],
+ *   error: (number | null)[] | null, in_domain: [number, number] | null}} SweepCurve
+ * @typedef {{over: 'n_t' | 'k_t' | 'eta', n_i: number, n_t: number | null, k_t: number | null,
+ *   values: number[], curves: SweepCurve[]}} Sweep
+ * @typedef {{unpolarized: number, s: number, p: number, method: string}} Exact
+ * @typedef {{id: string, title: string, quantity: Quantity, value: number | null, error: number | null,
+ *   in_domain: boolean, reason: string | null}} Approximation
+ * @typedef {{exact: Exact, approximations: Approximation[]}} Side
+ * @typedef {Side & {interface: import('../types.js').Interface, flatland: number | null, reverse: Side | null}} Here
+ * @typedef {{value: number, n_t: number, k_t: number}} Largest
+ * @typedef {{n_i: number, n_t: number[], k_t: number[], fit: string | null, quantity: Quantity,
+ *   show: 'exact' | 'value' | 'error', values: (number | null)[][], largest: Largest | null,
+ *   largest_in_domain: Largest | null, domains: {n_t: [number, number], k_t: [number, number]}[]}} AlbedoMap
+ * @typedef {{interface: import('../types.js').Interface, body_albedo: number, theta_i_deg: number | null,
+ *   external: number, internal: number, surface: number, body: number, absorbed: number}} Coat
+ */
+
+/** @typedef {'outside' | 'inside' | 'metal'} Family where a fit is at home */
+
+/** @param {Fit} fit @returns {Family[]} */
+export function familiesOf({ domains }) {
+  return domains.map(({ kind, eta }) =>
+    kind === "conductor" ? "metal" : eta[1] > 1 ? "outside" : "inside",
+  );
+}
+
+/** A title without what stands in parentheses or behind the method's name, for the label at a curve. @param {string} title */
+export function shortTitle(title) {
+  return title.replace(/\s*\(.*\)$/, "");
+}
+
+/** The side of the surface that a figure shows. @param {Here} here @param {boolean} forward @returns {Side} */
+export function sideOf(here, forward) {
+  return forward || !here.reverse ? here : here.reverse;
+}

@@ -1,0 +1,99 @@
+/** What the Albedo view asks the server for. */
+
+import { chosenFits, isMetal, mapFit, mapRange, sweepRange } from "./fields.js";
+
+/**
+ * @typedef {import('../types.js').Catalog} Catalog
+ * @typedef {import('../types.js').State} State
+ */
+
+/** Steps of a hundredth at least over each of the ranges. */
+const STEPS = { dielectric: 401, metal: 401 };
+const MAP_CELLS = { n: 118, k: 121 };
+/** A cell's colour needs no more. */
+const MAP_DIGITS = 5;
+
+/** @param {string} route @param {(string | false)[]} parts */
+function path(route, parts) {
+  const query = parts.filter(Boolean).join("&");
+  return query ? `${route}?${query}` : route;
+}
+
+/** @param {State} state @param {Catalog} catalog @param {string[]} names @returns {string[]} those that differ from the API's defaults */
+function media(state, { parameters }, names) {
+  return names
+    .filter((name) => state[name] !== parameters.find((p) => p.name === name)?.default)
+    .map((name) => `${name}=${state[name]}`);
+}
+
+/** @param {State} state @param {Catalog} catalog */
+export function sweepPath(state, catalog) {
+  const metal = isMetal(state.surface);
+  const over = { "metal-n": "n_t", "metal-k": "k_t" }[/** @type {string} */ (state.surface)];
+  const [low, high] = sweepRange(state);
+  const fits = chosenFits(state);
+  return path("/albedo/sweep", [
+    `over=${over ?? "eta"}`,
+    `minimum=${low}`,
+    `maximum=${high}`,
+    `steps=${metal ? STEPS.metal : STEPS.dielectric}`,
+    fits.length > 0 && `fits=${fits.join(",")}`,
+    state.lights.includes("flatland") && "flatland=true",
+    ...(metal ? media(state, catalog, ["n_i", over === "n_t" ? "k_t" : "n_t"]) : []),
+  ]);
+}
+
+/** @param {State} state @param {Catalog} catalog */
+export function herePath(state, catalog) {
+  return path("/albedo", media(state, catalog, ["n_i", "n_t", "k_t"]));
+}
+
+/** @param {State} state @param {Catalog} catalog */
+export function mapPath(state, catalog) {
+  const { n, k } = mapRange(state);
+  return path("/albedo/map", [
+    state.map_show !== "exact" && `fit=${mapFit(state)}`,
+    state.map_show === "value" && "show=value",
+    `n_minimum=${n[0]}`,
+    `n_maximum=${n[1]}`,
+    `n_steps=${MAP_CELLS.n}`,
+    `k_minimum=${k[0]}`,
+    `k_maximum=${k[1]}`,
+    `k_steps=${MAP_CELLS.k}`,
+    `digits=${MAP_DIGITS}`,
+    ...media(state, catalog, ["n_i"]),
+  ]);
+}
+
+/** @param {State} state */
+export function coatPath({ coat_n, coat_body, coat_light, coat_theta }) {
+  return path("/albedo/coat", [
+    `n_t=${coat_n}`,
+    `body_albedo=${coat_body}`,
+    coat_light === "ray" && `theta_i_deg=${coat_theta}`,
+  ]);
+}
+
+/**
+ * Paths by name, in the order of their importance. The map does not follow a gesture: it is asked
+ * for when things stand still.
+ * @param {State} state
+ * @param {Catalog} catalog
+ * @param {boolean} [moving]
+ * @returns {Record<string, string>}
+ */
+export function queries(state, catalog, moving = false) {
+  return {
+    sweep: sweepPath(state, catalog),
+    here: herePath(state, catalog),
+    coat: coatPath(state),
+    fits: "/albedo/fits",
+    ...(!moving && { map: mapPath(state, catalog) }),
+  };
+}
+
+/** @param {State} state @param {Catalog} catalog @returns {string[]} */
+export function restCalls(state, catalog) {
+  const { sweep, here, map, coat } = queries(state, catalog);
+  return [sweep, here, map, coat].filter((p) => p !== undefined);
+}
