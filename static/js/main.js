@@ -20,6 +20,7 @@ import { typeset } from "./typeset.js";
 const VIEWS = [
   { id: "explore", title: "Explore", load: () => import("./views/explore.js") },
   { id: "compare", title: "Compare", load: () => import("./views/compare.js") },
+  { id: "albedo", title: "Albedo", load: () => import("./views/albedo.js") },
   { id: "materials", title: "Materials", load: () => import("./views/materials.js") },
 ];
 
