@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from copy import copy
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -16,13 +17,9 @@ from app.optics.errors import NotAllowed
 from app.optics.parameters import Parameter
 from app.optics.registry import Model, Registry
 
-ModelsParameter = Annotated[
-    str,
-    Field(
-        description="Comma-separated ids of models, as listed at /models.",
-        examples=["exact,schlick"],
-    ),
-]
+_ANY_MODELS = "Comma-separated ids of models, as listed at /models."
+
+ModelsParameter = Annotated[str, Field(description=_ANY_MODELS, examples=["exact,schlick"])]
 
 
 def parse_models(text: str, registry: Registry) -> list[Model]:
@@ -44,12 +41,17 @@ def parse_models(text: str, registry: Registry) -> list[Model]:
 
 
 def with_model_parameters(base: type[QueryModel], registry: Registry) -> type[QueryModel]:
-    """Extend a query by every registered model's parameters."""
+    """Extend a query by every registered model's parameters, and its `models` by their ids."""
     fields: dict[str, Any] = {
         _field_name(model, parameter): _field(model, parameter)
         for model in registry.values()
         for parameter in model.parameters
     }
+    models = base.model_fields.get("models")
+    if models is not None and models.description == _ANY_MODELS:
+        listed = copy(models)
+        listed.description = f"Comma-separated ids of models: {', '.join(registry)}."
+        fields["models"] = (str, listed)
     return create_model(f"{base.__name__}WithModels", __base__=base, **fields)
 
 

@@ -14,10 +14,12 @@ import pytest
 ROOT = Path(__file__).parents[2]
 
 LAYERS = {
-    "app.optics": {"app.optics"},
-    "app.materials": {"app.materials", "app.optics"},
-    "app.api": {"app.api", "app.materials", "app.optics"},
-    "app.page": set(),
+    "app.optics": set(),
+    "app.materials": {"app.optics"},
+    "app.ready": set(),
+    "app.api": {"app.materials", "app.optics", "app.ready"},
+    "app.page": {"app.ready"},
+    "app.routing": set(),
     "app.settings": set(),
 }
 OUTSIDE = {

@@ -1,0 +1,35 @@
+"""`/health` says that the server is well and what it is made of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib.metadata import version
+
+import httpx
+
+from app import __version__
+from app.api.schemas import HealthOut
+
+Ask = Callable[..., httpx.Response]
+
+
+def test_is_well(ask: Ask) -> None:
+    answer = ask("/health")
+    assert answer.status_code == 200
+    health = HealthOut.model_validate_json(answer.content, strict=True, extra="forbid")
+    assert health.status == "ok"
+    assert health.version == __version__
+    assert {"fastapi", "numpy", "pydantic", "scipy", "uvicorn"} <= set(health.libraries)
+    assert all(version(name) == told for name, told in health.libraries.items())
+
+
+def test_is_never_kept(ask: Ask) -> None:
+    assert ask("/health").headers["cache-control"] == "no-store"
+
+
+def test_takes_no_parameters(ask: Ask) -> None:
+    answer = ask("/health", verbose="true")
+    assert answer.status_code == 422
+    assert answer.json()["errors"] == [
+        {"parameter": "verbose", "value": "true", "message": "this route takes no parameters"}
+    ]
