@@ -6,7 +6,18 @@ from fastapi import APIRouter, FastAPI
 from fastapi.middleware.cors import CORSMiddleware
 
 from app import __version__
-from app.api import albedo, curves, health, materials, models, problems, snell
+from app.api import (
+    albedo,
+    convert,
+    curves,
+    errors,
+    health,
+    materials,
+    models,
+    problems,
+    recommend,
+    snell,
+)
 from app.optics.registry import Registry, default_registry
 from app.page import Page, SecurityHeaders
 from app.routing import Fallback, HeadAsGet
@@ -53,7 +64,11 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     app.state.settings = settings
     problems.install(app)
     app.add_middleware(
-        CORSMiddleware, allow_origins=["*"], allow_methods=["GET"], expose_headers=["ETag"]
+        CORSMiddleware,
+        allow_origins=["*"],
+        allow_methods=["GET", "HEAD"],
+        allow_headers=["If-None-Match"],
+        expose_headers=["ETag"],
     )
     app.add_middleware(SecurityHeaders)
     app.add_middleware(HeadAsGet)
@@ -62,6 +77,9 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         snell.router(),
         health.router(),
         models.router(registry),
+        errors.router(registry),
+        recommend.router(registry),
+        convert.router(),
         albedo.router(registry),
         materials.router(registry),
     ]
