@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Any
 
+import orjson
 from fastapi import APIRouter, Request
 from starlette.responses import Response
 
@@ -15,6 +16,7 @@ from app.api.schemas import ModelOut, ModelsOut, ParametersOut
 from app.optics.errors import UnknownModel
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG
 from app.optics.registry import Model, Registry
+from app.ready import ReadyBody
 
 
 def describe(model: Model) -> dict[str, Any]:
@@ -36,10 +38,12 @@ def describe(model: Model) -> dict[str, Any]:
 def router(registry: Registry) -> APIRouter:
     """Routes over the models of `registry`."""
     routes = APIRouter(route_class=QueryRoute, tags=["models"])
+    described = {"models": [describe(m) for m in registry.values()]}
+    every_model = ReadyBody(orjson.dumps(described), "application/json", effort="thorough")
 
     @routes.get("/models", response_model=ModelsOut, summary="All models")
     async def models(request: Request) -> Response:
-        return json_response(request, {"models": [describe(m) for m in registry.values()]})
+        return every_model.response(request)
 
     @routes.get("/models/{model_id}", response_model=ModelOut, summary="One model")
     async def model(request: Request, model_id: str) -> Response:

@@ -85,7 +85,7 @@ def test_filters_meet(ask: Ask) -> None:
     assert ask("/materials", kind="single", category="metal").json()["total"] == 0
 
 
-@pytest.mark.parametrize("encoding", ["gzip", "zstd"])
+@pytest.mark.parametrize("encoding", ["br", "gzip", "zstd"])
 def test_caches_and_compression(ask: Ask, encoding: str) -> None:
     answer = ask("/materials", headers={"Accept-Encoding": encoding})
     assert answer.headers["content-encoding"] == encoding
