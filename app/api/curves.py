@@ -20,7 +20,13 @@ from app.api.model_parameters import (
     with_model_parameters,
 )
 from app.api.params import InterfaceQuery, SamplesQuery, TableQuery
-from app.api.responses import CONVENTION, csv_response, interface_json, json_response
+from app.api.responses import (
+    CONVENTION,
+    CSV_AS_WELL,
+    csv_response,
+    interface_json,
+    json_response,
+)
 from app.api.route import QueryRoute
 from app.api.schemas import CurvesOut
 from app.optics.amplitudes import Complex, amplitudes, power
@@ -118,7 +124,12 @@ def router(registry: Registry) -> APIRouter:
                 ]
         return theta_i_deg, curves
 
-    @routes.get("/curves", response_model=CurvesOut, summary="Reflectance over the angle")
+    @routes.get(
+        "/curves",
+        response_model=CurvesOut,
+        responses=CSV_AS_WELL,
+        summary="Reflectance over the angle",
+    )
     async def curves(request: Request, query: Annotated[Query_, Query()]) -> Response:  # type: ignore[valid-type]
         return await answer(request, query)
 

@@ -12,6 +12,7 @@ from pydantic import (
     PrivateAttr,
     model_validator,
 )
+from pydantic_core import PydanticCustomError
 
 from app.api.presets import (
     PresetInterface,
@@ -31,7 +32,7 @@ MAX_WAVELENGTH_NM = 1e7
 def plain(text: object) -> object:
     """Refuse what Python reads as a number though no one writes it: 1_5 for 15."""
     if isinstance(text, str) and "_" in text:
-        raise ValueError("a number has no underscore")
+        raise PydanticCustomError("number", "a number has no underscore")
     return text
 
 
@@ -90,9 +91,11 @@ class InterfaceQuery(QueryModel):
     material: str | None = preset_name(
         "Id or alias of a preset in place of n_t and k_t, as listed at /materials; a k that its "
         "source does not give counts as 0, which the answer says.",
+        "Au",
     )
     incident: str | None = preset_name(
         "Id or alias of a preset in place of n_i. It must not absorb.",
+        "water",
     )
     wavelength_nm: Number | None = wavelength(
         None,

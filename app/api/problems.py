@@ -168,7 +168,9 @@ async def _on_http(request: Request, error: HTTPException) -> Response:
 
 
 async def _on_crash(request: Request, _: Exception) -> Response:
-    return problem_response(request, 500, "the server failed; the fault was logged")
+    # Starlette answers crashes outside of all middleware, that for CORS included.
+    headers = {"Access-Control-Allow-Origin": "*", "X-Content-Type-Options": "nosniff"}
+    return problem_response(request, 500, "the server failed; the fault was logged", (), headers)
 
 
 def install(app: FastAPI) -> None:
