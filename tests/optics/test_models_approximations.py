@@ -315,3 +315,15 @@ def test_mirror_and_no_boundary_of_cook_and_torrance() -> None:
     )
     np.testing.assert_array_equal(model(Interface(), incidence, F0=1.0), 1.0)
     np.testing.assert_array_equal(model(Interface(1.0, 1.0), incidence), 0.0)
+
+
+def test_where_the_curves_of_metals_turn_negative() -> None:
+    """As their validity says; a tint of 1 and a white F0 keep R within 0 and 1."""
+    registry, incidence = default_registry(), Incidence.from_degrees(np.linspace(0.0, 90.0, 901))
+    metal = Interface(1.0, 1.5, 5.0)
+    assert np.any(registry["f82_tint"](metal, incidence, F0=0.05, tint=0.0) < 0.0)
+    assert np.any(registry["hoffman_f82"](metal, incidence, F0=0.5, F82=0.0) < 0.0)
+    white = registry["f82_tint"](
+        metal, incidence, F0=1.0, tint=np.linspace(0, 1, 11)[:, np.newaxis]
+    )
+    assert np.all((white >= -1e-15) & (white <= 1.0))

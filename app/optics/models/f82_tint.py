@@ -47,8 +47,8 @@ MODEL = Model(
     r"(1-\text{tint}),\quad S(\mu)=F_0+(1-F_0)(1-\mu)^5,\quad \bar\mu=\tfrac17",
     reference="P. Kutz, M. Hašan and D. Edmondson, Novel Aspects of the Adobe Standard Material "
     "(2021); OpenPBR Surface specification, metal",
-    validity="Metals; the same curve as Hoffman's F82 when the tint is taken from it, and R stays "
-    "within 0 and 1 for every tint from 0 to 1.",
+    validity="Metals; the same curve as Hoffman's F82 when the tint is taken from it. A low tint "
+    "beside a low F0 takes R below 0.",
     cost=Cost(add=3, mul=7),
     function=f82_tint,
     parameters=(F0, TINT),

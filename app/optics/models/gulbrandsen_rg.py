@@ -43,7 +43,7 @@ MODEL = Model(
     reference="O. Gulbrandsen, Artist Friendly Metallic Fresnel, Journal of Computer Graphics "
     "Techniques 3(4), 64-72 (2014)",
     validity="Exact with other parameters: every interface with |N| >= n_i has an r and a g from 0 to "
-    "1. Silver, gold and copper lie outside in parts of the visible spectrum only for |N| < 1.",
+    "1. Below, the g worked out exceeds 1 and cannot be given, but its curve is still exact.",
     cost=Cost(add=23, mul=30, div=6, sqrt=4),
     function=gulbrandsen_rg,
     parameters=(REFLECTANCE, EDGE_TINT),

@@ -33,7 +33,7 @@ MODEL = Model(
     reference="N. Hoffman, Fresnel Equations Considered Harmful, Eurographics Workshop on Material "
     "Appearance Modeling (2019), doi:10.2312/mam.20191305",
     validity="Metals; exact at 0, 82 and 90 degrees. Works for dielectrics too, where it removes "
-    "part of Schlick's error. A low F82 beside a high F0 can take R below 0.",
+    "part of Schlick's error. A low F82 can take R below 0.",
     cost=Cost(add=3, mul=7),
     function=hoffman_f82,
     parameters=(F0, F82),
