@@ -171,7 +171,7 @@ def measure(
     >>> glass = measure(default_registry()["schlick"], Interface(n_t=1.5))
     >>> albedo = 0.04 + 0.96 / 21 - float(glass["cosine_weighted_mean"])
     >>> round(albedo, 9)
-    0.091775932
+    0.091777959
     """
     values = model.arguments(interface) if arguments is None else arguments
     kinks = None if model.kinks is None else model.kinks(**values)
