@@ -1,0 +1,180 @@
+"""`/snell`: one ray, against 30-digit values and in every corner."""
+
+from __future__ import annotations
+
+import cmath
+import json
+from collections.abc import Callable
+from math import hypot, isclose
+from pathlib import Path
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+from fastapi import FastAPI
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.api.responses import CONVENTION
+from app.api.schemas import SnellOut
+from tests.api.raw import send
+from tests.optics.reference.fresnel import fresnel
+
+Ask = Callable[..., httpx.Response]
+
+RELATIVE = 1e-12
+GOLDEN: list[dict[str, Any]] = json.loads(
+    (Path(__file__).parents[1] / "optics" / "reference" / "interfaces.json").read_text("utf-8")
+)["interfaces"]
+INPUTS = ("n_i", "n_t", "k_t", "theta_i_deg")
+
+
+def ray(ask: Ask, **query: Any) -> dict[str, Any]:
+    """Ask for a ray and check the answer's shape against OpenAPI's."""
+    answer = ask("/snell", **query)
+    assert answer.status_code == 200, answer.text
+    SnellOut.model_validate_json(answer.content, strict=True, extra="forbid")
+    told: dict[str, Any] = answer.json()
+    return told
+
+
+def test_golden_rays(app: FastAPI) -> None:
+    for row in GOLDEN:
+        query = "&".join(f"{name}={row[name]!r}" for name in INPUTS)
+        told = send(app, f"/api/v1/snell?{query}".encode()).json()
+        for name in ("Rs", "Rp", "R"):
+            assert isclose(told[name], row[name], rel_tol=RELATIVE), (row, name)
+        for name in ("r_s", "r_p"):
+            amplitude = complex(told[name]["re"], told[name]["im"])
+            assert cmath.isclose(amplitude, complex(*row[name]), rel_tol=RELATIVE), (row, name)
+
+
+@pytest.mark.parametrize(
+    ("n_i", "n_t", "k_t", "theta_i_deg"),
+    [
+        (1.0, 1.5, 0.0, 64.0),
+        (1.33, 1.5, 0.0, 30.0),
+        (1.5, 1.0, 0.0, 41.0),
+        (1.0, 0.2, 3.0, 70.0),
+        (1.5, 3.0, 4.0, 15.0),
+        (1.0, 1.0 + 1e-9, 0.0, 89.9),
+        (1.0, 1e-3, 0.0, 0.05729577),
+        (1e-3, 0.1, 0.1, 60.0),
+    ],
+)
+def test_every_number_has_twelve_digits(
+    ask: Ask, n_i: float, n_t: float, k_t: float, theta_i_deg: float
+) -> None:
+    told = ray(ask, n_i=n_i, n_t=n_t, k_t=k_t, theta_i_deg=theta_i_deg)
+    expected = fresnel(n_i, n_t, k_t, theta_i_deg)
+    for name in ("Rs", "Rp", "R", "Ts", "Tp", "T", "theta_t_deg"):
+        assert isclose(told[name], getattr(expected, name), rel_tol=RELATIVE), name
+    for name in ("r_s", "r_p", "t_s", "t_p"):
+        value, amplitude = told[name], getattr(expected, name)
+        assert cmath.isclose(complex(value["re"], value["im"]), amplitude, rel_tol=RELATIVE)
+        assert isclose(value["abs"], abs(amplitude), rel_tol=RELATIVE)
+        assert isclose(value["phase_deg"], np.degrees(cmath.phase(amplitude)), rel_tol=RELATIVE)
+    if k_t > 0.0:
+        assert isclose(told["penetration_depth_wavelengths"], expected.depth, rel_tol=RELATIVE)
+
+
+def test_nothing_given_is_air_to_glass_at_normal_incidence(ask: Ask) -> None:
+    told = ray(ask)
+    interface = told["interface"]
+    assert (interface["n_i"], interface["n_t"], interface["k_t"]) == (1.0, 1.5, 0.0)
+    assert told["theta_i_deg"] == 0.0
+    assert told["theta_t_deg"] == 0.0
+    assert (told["reflected"], told["refracted"]) == ([0.0, 1.0], [0.0, -1.0])
+    assert told["R"] == pytest.approx(0.04, abs=1e-16)
+    assert told["convention"] == CONVENTION
+    assert told["penetration_depth_wavelengths"] is None
+    assert told["total_internal_reflection"] is False
+
+
+def test_the_ray_comes_from_the_upper_left(ask: Ask) -> None:
+    told = ray(ask, n_t=1.5, theta_i_deg=30)
+    x, y = told["reflected"]
+    assert (x, y) == (pytest.approx(0.5), pytest.approx(np.sqrt(0.75)))
+    x, y = told["refracted"]
+    assert (x, y) == (pytest.approx(1 / 3), pytest.approx(-np.sqrt(8) / 3))
+
+
+def test_the_interface_is_described(ask: Ask) -> None:
+    interface = ray(ask, n_i=1.5, n_t=1.0)["interface"]
+    assert interface["kind"] == "dielectric"
+    assert interface["eta"] == 1.0 / 1.5
+    assert interface["critical_deg"] == pytest.approx(41.810314895778596, abs=1e-13)
+    assert interface["brewster_deg"] == pytest.approx(33.690067525979785, abs=1e-13)
+    assert interface["pseudo_brewster_deg"] == interface["brewster_deg"]
+    metal = ray(ask, n_i=1.0, n_t=1.5, k_t=5.0)["interface"]
+    assert metal["kind"] == "conductor"
+    assert (metal["brewster_deg"], metal["critical_deg"]) == (None, None)
+    assert metal["pseudo_brewster_deg"] == pytest.approx(78.81728966778353, abs=1e-11)
+    assert metal["F0"] == pytest.approx((0.25 + 25.0) / (6.25 + 25.0), abs=1e-15)
+
+
+def test_total_internal_reflection(ask: Ask) -> None:
+    told = ray(ask, n_i=1.5, n_t=1.0, theta_i_deg=60)
+    assert told["total_internal_reflection"] is True
+    assert (told["theta_t_deg"], told["refracted"]) == (None, None)
+    assert (told["Rs"], told["Rp"], told["R"]) == (1.0, 1.0, 1.0)
+    assert (told["Ts"], told["Tp"], told["T"]) == (0.0, 0.0, 0.0)
+    assert told["r_s"]["abs"] == pytest.approx(1.0, abs=1e-15)
+    depth = 1.0 / (4.0 * np.pi * np.sqrt(1.5**2 * 0.75 - 1.0))
+    assert told["penetration_depth_wavelengths"] == pytest.approx(depth, rel=1e-12)
+
+
+def test_a_negative_amplitude_has_the_phase_180(ask: Ask) -> None:
+    assert ray(ask, n_t=1.5, theta_i_deg=20)["r_s"]["phase_deg"] == 180.0
+    assert ray(ask, n_t=1.5, theta_i_deg=20)["r_p"]["phase_deg"] == 0.0
+    assert ray(ask, n_t=1.5, theta_i_deg=80)["r_p"]["phase_deg"] == 180.0
+
+
+def test_grazing_incidence(ask: Ask) -> None:
+    told = ray(ask, theta_i_deg=90)
+    assert (told["R"], told["T"]) == (1.0, 0.0)
+    assert told["reflected"] == [1.0, 0.0]
+    matched = ray(ask, n_t=1, theta_i_deg=90)
+    assert (matched["R"], matched["T"], matched["theta_t_deg"]) == (0.0, 1.0, 90.0)
+
+
+@pytest.mark.parametrize("digits", [3, 6, 16])
+def test_digits_are_those_asked_for(ask: Ask, digits: int) -> None:
+    full = ray(ask, n_t=1.37, k_t=0.3, theta_i_deg=37)
+    short = ray(ask, n_t=1.37, k_t=0.3, theta_i_deg=37, digits=digits)
+    for name in ("Rs", "Rp", "R", "T", "theta_t_deg", "penetration_depth_wavelengths"):
+        assert short[name] == float(f"{full[name]:.{digits}g}")
+    assert short["r_p"]["im"] == float(f"{full['r_p']['im']:.{digits}g}")
+
+
+def test_seventeen_digits_are_the_doubles_themselves(ask: Ask) -> None:
+    assert ray(ask, theta_i_deg=37, digits=17) == ray(ask, theta_i_deg=37)
+
+
+def logarithmic(minimum: float, maximum: float) -> st.SearchStrategy[float]:
+    powers = st.floats(np.log10(minimum), np.log10(maximum)).map(lambda x: float(10.0**x))
+    return powers.map(lambda n: min(max(n, minimum), maximum))
+
+
+@given(
+    n_i=logarithmic(1e-3, 100.0),
+    n_t=logarithmic(1e-3, 100.0),
+    k_t=st.just(0.0) | logarithmic(1e-300, 100.0),
+    theta_i_deg=st.sampled_from([0.0, 90.0]) | st.floats(0.0, 90.0),
+)
+def test_every_legal_query_is_answered_in_finite_numbers(
+    app: FastAPI, n_i: float, n_t: float, k_t: float, theta_i_deg: float
+) -> None:
+    query = f"n_i={n_i!r}&n_t={n_t!r}&k_t={k_t!r}&theta_i_deg={theta_i_deg!r}"
+    answer = send(app, f"/api/v1/snell?{query}".encode())
+    assert answer.status == 200, answer.body
+    told = SnellOut.model_validate_json(answer.body, strict=True, extra="forbid")
+    assert told.interface.n_t == n_t
+    assert told.theta_i_deg == theta_i_deg
+    assert 0.0 <= told.R <= 1.0
+    assert isclose(told.R + told.T, 1.0, rel_tol=1e-13)
+    assert hypot(*told.reflected) == pytest.approx(1.0, abs=1e-14)
+    assert (told.refracted is None) == told.total_internal_reflection
+    if told.refracted is not None:
+        assert hypot(*told.refracted) == pytest.approx(1.0, abs=1e-14)
