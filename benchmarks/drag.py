@@ -29,25 +29,18 @@ BYTES_BAR = 120_000
 LIBRARIES = ("plotly", "katex")
 
 COUNTER = """() => {
-  const curve = document.querySelector('.plot-canvas path.js-line');
-  const shaft = document.querySelector('.ray-incident .ray-shaft');
-  const marker = document.querySelector('.plot-marker-line');
-  const look = {
-    curves: () => curve.getAttribute('d'),
-    ray: () => `${shaft.getAttribute('x1')} ${marker.getAttribute('x1')}`,
+  const drawn = {curves: 0, ray: 0};
+  const watch = (name, selector, attribute) => {
+    let last = null;
+    // All that is drawn in one frame happens at one time of the document's timeline.
+    new MutationObserver(() => {
+      const frame = document.timeline.currentTime;
+      if (frame !== last) drawn[name] += 1;
+      last = frame;
+    }).observe(document.querySelector(selector), {attributeFilter: [attribute]});
   };
-  const before = {curves: look.curves(), ray: look.ray()};
-  const drawn = {frames: 0, curves: 0, ray: 0};
-  const tick = () => {
-    drawn.frames += 1;
-    for (const name of ['curves', 'ray']) {
-      const now = look[name]();
-      if (now !== before[name]) drawn[name] += 1;
-      before[name] = now;
-    }
-    requestAnimationFrame(tick);
-  };
-  requestAnimationFrame(tick);
+  watch('curves', '.plot-canvas path.js-line', 'd');
+  watch('ray', '.ray-incident .ray-shaft', 'x1');
   window.drawnFrames = {read: () => ({...drawn})};
 }"""
 
@@ -143,7 +136,7 @@ async def measured(page: Page, at: Callable[[float], tuple[float, float]]) -> di
     await drag(session, at)
     elapsed = time.perf_counter() - start
     after = await page.evaluate("() => window.drawnFrames.read()")
-    return {key: (after[key] - before[key]) / elapsed for key in ("frames", "curves", "ray")}
+    return {key: (after[key] - before[key]) / elapsed for key in before}
 
 
 async def drags(browser: Browser, url: str) -> dict[str, dict[str, float]]:
@@ -200,11 +193,11 @@ async def run(port: int) -> None:
     n_t, theta_i = rates["n_t"], rates["theta_i"]
     print(
         f"dragging n_t:     {n_t['curves']:.1f} frames drawn per second"
-        f" (bar: {BARS['n_t']:.0f}; {n_t['answers']:.0f} answers, {n_t['frames']:.0f} frames)"
+        f" (bar: {BARS['n_t']:.0f}; {n_t['answers']:.0f} answers)"
     )
     print(
         f"dragging theta_i: {theta_i['ray']:.1f} frames drawn per second"
-        f" (bar: {BARS['theta_i']:.0f}; {theta_i['frames']:.0f} frames)"
+        f" (bar: {BARS['theta_i']:.0f})"
     )
     early = [address for address in load.before_curve if "katex" in address]
     print(f"first curve after {shown:.0f} ms; KaTeX asked for before it: {early or 'no'}")

@@ -1,5 +1,7 @@
 /** The only module that talks to the server. */
 
+import { get } from "./transport.js";
+
 export const BASE = "api/v1";
 
 /** An error answer (RFC 9457), a broken connection, or an answer that cannot be read. */
@@ -23,31 +25,26 @@ export class Problem extends Error {
  * @returns {Promise<any>}
  */
 export async function load(path, signal) {
-  let response;
-  try {
-    response = await fetch(`${BASE}${path}`, signal ? { signal } : {});
-  } catch (error) {
-    if (error instanceof DOMException && error.name === "AbortError") throw error;
+  const { status, text } = await get(`${BASE}${path}`, signal);
+  if (status === 0) {
     throw new Problem("The server does not answer", {
       detail: "Is it running, and are you online?",
     });
   }
-  let body;
+  let body = null;
   try {
-    body = await response.json();
-  } catch (error) {
-    if (error instanceof DOMException && error.name === "AbortError") throw error;
-    body = null;
+    body = JSON.parse(text);
+  } catch {
+    // what is wrong with it is said below
   }
-  if (!response.ok) {
-    throw new Problem(body?.title ?? `The server answered ${response.status}`, {
-      status: response.status,
+  if (status < 200 || status > 299) {
+    throw new Problem(body?.title ?? `The server answered ${status}`, {
+      status,
       detail: body?.detail ?? "",
       errors: Array.isArray(body?.errors) ? body.errors : [],
     });
   }
-  if (body === null)
-    throw new Problem("The server's answer cannot be read", { status: response.status });
+  if (body === null) throw new Problem("The server's answer cannot be read", { status });
   return body;
 }
 

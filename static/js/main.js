@@ -5,6 +5,7 @@ import { canBeIncident } from "./controls/media.js";
 import { byId, h } from "./dom.js";
 import { createShell } from "./shell.js";
 import { choice, createState, number, optional } from "./state.js";
+import { startWorker } from "./transport.js";
 import { typeset } from "./typeset.js";
 
 /**
@@ -308,3 +309,4 @@ async function start() {
 }
 
 void start();
+startWorker();
