@@ -1,8 +1,9 @@
 """Fill static/vendor from the npm packages that package-lock.json pins.
 
 Every package gets a folder with its version in the name, so that the server may tell browsers to
-keep these files for ever. The files are copied unchanged; `manifest.json` records where each came
-from, under which licence, and its SHA-256. Run it by `make vendor` after changing a version.
+keep these files for ever. The files are copied unchanged, but for the page's font, which is cut to
+what the page shows; `manifest.json` records where each came from, under which licence, and its
+SHA-256. Run it by `make vendor` after changing a version.
 """
 
 import hashlib
@@ -14,6 +15,10 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+
+from fontTools.subset import Options, Subsetter
+from fontTools.ttLib import TTFont
+from fontTools.varLib.instancer import instantiateVariableFont
 
 ROOT = Path(__file__).resolve().parent.parent
 NODE_MODULES = ROOT / "node_modules"
@@ -52,6 +57,12 @@ PLOTLY = Package(
     "LICENSE",
     {"plotly-cartesian.min.js": "."},
 )
+FONT = Package(
+    "ibm-plex-sans",
+    "@fontsource-variable/ibm-plex-sans",
+    "LICENSE",
+    {"files/ibm-plex-sans-greek-wght-normal.woff2": "."},
+)
 PACKAGES = (
     PLOTLY,
     Package(
@@ -65,15 +76,7 @@ PACKAGES = (
             "dist/fonts/*.woff2": "fonts",
         },
     ),
-    Package(
-        "ibm-plex-sans",
-        "@fontsource-variable/ibm-plex-sans",
-        "LICENSE",
-        {
-            "files/ibm-plex-sans-latin-wght-normal.woff2": ".",
-            "files/ibm-plex-sans-greek-wght-normal.woff2": ".",
-        },
-    ),
+    FONT,
     Package(
         "swagger-ui",
         "swagger-ui-dist",
@@ -123,6 +126,29 @@ def copy_plotly_stylesheet() -> None:
             (PLOTLY.folder / "plotly.css").write_bytes(stylesheet.read())
 
 
+# The weights and characters in use, with the letters of western names. Who changes them changes the
+# name of the file too: browsers keep it for ever.
+FONT_SOURCE = "files/ibm-plex-sans-latin-wght-normal.woff2"
+FONT_CUT = "ibm-plex-sans-latin-400-700.woff2"
+FONT_WEIGHTS = (400, 700)
+FONT_CHARACTERS = (
+    *map(chr, range(0x20, 0x7F)),
+    *map(chr, range(0xC0, 0x100)),
+    *"\u00a0°±²³µ·ıŒœ–—‘’“”…′″↑↓−",
+)
+
+
+def cut_font() -> None:
+    """Cut the font of the page, half of whose bytes are thin weights and characters never shown."""
+    with TTFont(FONT.source / FONT_SOURCE, recalcTimestamp=False) as font:
+        subsetter = Subsetter(Options(layout_features=["kern"]))
+        subsetter.populate(text="".join(FONT_CHARACTERS))
+        subsetter.subset(font)
+        instantiateVariableFont(font, {"wght": FONT_WEIGHTS}, inplace=True)
+        font.flavor = "woff2"
+        font.save(FONT.folder / FONT_CUT)
+
+
 def describe(package: Package) -> dict[str, Any]:
     """Make the package's entry in the manifest."""
     files = sorted(path for path in package.folder.rglob("*") if path.is_file())
@@ -148,6 +174,7 @@ def main() -> None:
     for package in PACKAGES:
         copy(package)
     copy_plotly_stylesheet()
+    cut_font()
     manifest = {"packages": [describe(package) for package in PACKAGES]}
     (VENDOR / "manifest.json").write_text(json.dumps(manifest, indent=2) + "\n", "utf-8")
     for entry in manifest["packages"]:
