@@ -111,7 +111,9 @@ def test_deon_there_and_back(r: float, G: float) -> None:
     F0 = ((eta - 1.0) ** 2 + kappa**2) / ((eta + 1.0) ** 2 + kappa**2)
     assert float(F0) == pytest.approx(r, rel=1e-9)
     assert float(deon_G(eta, kappa, np.asarray(r))) == pytest.approx(G, abs=1e-7)
-    assert float(deon_G(eta, kappa, np.asarray(r))) == pytest.approx(gmap(float(eta), float(kappa)), abs=1e-6)
+    assert float(deon_G(eta, kappa, np.asarray(r))) == pytest.approx(
+        gmap(float(eta), float(kappa)), abs=1e-6
+    )
 
 
 @given(st.floats(0.01, 50.0), st.floats(0.0, 50.0))
