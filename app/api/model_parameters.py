@@ -9,9 +9,17 @@ from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
-from pydantic import BeforeValidator, Field, WithJsonSchema, create_model
+from pydantic import (
+    BeforeValidator,
+    Field,
+    TypeAdapter,
+    ValidationError,
+    WithJsonSchema,
+    create_model,
+)
+from pydantic_core import PydanticCustomError
 
-from app.api.params import Count, Number, QueryModel, number, plain
+from app.api.params import Count, Number, QueryModel, number
 from app.api.problems import BadParameters, ParameterError
 from app.optics.errors import NotAllowed
 from app.optics.parameters import Parameter
@@ -20,6 +28,10 @@ from app.optics.registry import Model, Registry
 _ANY_MODELS = "Comma-separated ids of models, as listed at /models."
 
 ModelsParameter = Annotated[str, Field(description=_ANY_MODELS, examples=["exact,schlick"])]
+
+
+_NUMBER: TypeAdapter[float] = TypeAdapter(Number)
+_THREE = {"type": "string", "pattern": "^[^,]+,[^,]+,[^,]+$"}
 
 
 def parse_models(text: str, registry: Registry) -> list[Model]:
@@ -104,19 +116,29 @@ def _field(model: Model, parameter: Parameter) -> tuple[Any, Any]:
         return Literal[names], Field(default, alias=alias, description=parameter.description)
     if parameter.triple:
         # The core checks the bounds, which pydantic cannot put on one number or three.
-        description = f"{parameter.description} One number, or three for R, G and B."
-        schema = WithJsonSchema({"type": "string", "examples": ["0.04", "1.0,0.766,0.336"]})
-        kind: Any = Annotated[float | tuple[float, ...] | None, BeforeValidator(_triple), schema]
-        return kind, Field(parameter.default, alias=alias, description=description)
+        one = {"type": "number", "minimum": parameter.minimum, "maximum": parameter.maximum}
+        schema = {
+            "anyOf": [one, _THREE],
+            "examples": ["0.04", "1.0,0.766,0.336"],
+            "unit": parameter.unit,
+            "symbol": parameter.symbol,
+        }
+        kind: Any = Annotated[Any, BeforeValidator(_one_or_three), WithJsonSchema(schema)]
+        return kind, Field(
+            parameter.default,
+            alias=alias,
+            description=f"{parameter.description} One number, or three for R, G and B.",
+        )
     # A default of None is not validated, so that the bounds hold for what is given.
     return Count if parameter.integer else Number, number(parameter, alias=alias)
 
 
-def _triple(text: object) -> object:
-    """Split three comma-separated numbers."""
-    if not isinstance(text, str) or "," not in text:
-        return plain(text)
-    parts = tuple(plain(part) for part in text.split(","))
-    if len(parts) != 3:
-        raise ValueError("one number, or three separated by commas")
-    return parts
+def _one_or_three(text: object) -> object:
+    """Read one number, or three separated by commas."""
+    try:
+        numbers = [_NUMBER.validate_python(part) for part in str(text).split(",")]
+    except ValidationError:
+        numbers = []
+    if len(numbers) not in (1, 3):
+        raise PydanticCustomError("triple", "one number, or three separated by commas")
+    return tuple(numbers) if len(numbers) == 3 else numbers[0]

@@ -67,6 +67,39 @@ def test_the_examples_of_presets_can_be_sent(app: FastAPI, ask: Ask, name: str) 
         assert ask("/curves", **{name: example}).status_code == 200
 
 
+def test_openapi_bounds_what_may_differ_in_r_g_and_b(app: FastAPI, ask: Ask) -> None:
+    declared: list[dict[str, Any]] = app.openapi()["paths"]["/api/v1/curves"]["get"]["parameters"]
+    name = "generalized_schlick.F90"
+    (schema,) = (p["schema"] for p in declared if p["name"] == name)
+    one, three = schema["anyOf"]
+    assert (one["minimum"], one["maximum"], schema["default"]) == (0.0, 1.0, 1.0)
+    assert three["type"] == "string"
+    for example in schema["examples"]:
+        answer = ask("/curves", models="generalized_schlick", **{name: example})
+        assert answer.status_code == 200
+
+
+@pytest.mark.parametrize(
+    "value", ["", "a", "1,2", "0.1,,0.3", "0.1,0.2,0.3,0.4", "0_1", "0_1,0.2,0.3"]
+)
+def test_what_is_no_triple_is_one_error(ask: Ask, value: str) -> None:
+    name = "generalized_schlick.F0"
+    (error,) = ask("/curves", models="generalized_schlick", **{name: value}).json()["errors"]
+    assert error == {
+        "parameter": name,
+        "value": value,
+        "message": "one number, or three separated by commas",
+    }
+
+
+@pytest.mark.parametrize("value", ["nan", "2", "0.1,0.2,inf", "0.1,-0.1,0.3"])
+def test_a_triple_out_of_bounds_names_them(ask: Ask, value: str) -> None:
+    name = "generalized_schlick.F0"
+    (error,) = ask("/curves", models="generalized_schlick", **{name: value}).json()["errors"]
+    assert error["parameter"] == name
+    assert error["message"] == "a finite number from 0 to 1"
+
+
 def test_what_is_no_number_is_said_plainly(ask: Ask) -> None:
     (error,) = ask("/snell", n_t="1_5").json()["errors"]
     assert error["message"] == "a number has no underscore; allowed: 0.001 to 100.0"
