@@ -70,7 +70,13 @@ export function createColors({ parent, catalog, actions, save }) {
     filename: () => `${now?.preset ?? "material"}-schlick`,
     save,
   });
-  panel.element.append(h("div", { class: "rival-scroll" }, errorTable));
+  panel.element.append(
+    h(
+      "div",
+      { class: "rival-scroll", tabindex: "0", role: "region", "aria-label": "Largest errors" },
+      errorTable,
+    ),
+  );
   /** @param {number} x @param {{settled: boolean}} how */
   const onPick = (x, { settled }) => {
     const deg = inDegrees(x, now?.angle ?? "deg");

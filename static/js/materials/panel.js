@@ -54,7 +54,12 @@ export function createPanel({
   const heading = h("h2", {}, title);
   const problem = h("p", { class: "row-error", role: "alert" });
   const note = h("p", { class: "hint" });
-  const tables = h("div", { class: "plot-table" });
+  const tables = h("div", {
+    class: "plot-table",
+    tabindex: "0",
+    role: "region",
+    "aria-label": `${title}, table`,
+  });
   const dataTable = h("details", { class: "definitions" }, h("summary", {}, "As a table"), tables);
   const area = h("div", { class: "figure-row" }, ...hosts);
   const element = h(

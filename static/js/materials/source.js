@@ -116,7 +116,12 @@ export function createRivals(onPick) {
     summary,
     h(
       "div",
-      { class: "rival-scroll" },
+      {
+        class: "rival-scroll",
+        tabindex: "0",
+        role: "region",
+        "aria-label": "Measurements of the same material",
+      },
       h(
         "table",
         { class: "rivals" },
