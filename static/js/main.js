@@ -184,6 +184,7 @@ async function start() {
           if (on) busy.add(name);
           else busy.delete(name);
           shell.setBusy(busy.size > 0);
+          askLater();
         },
       });
       runners.set(name, found);
@@ -200,15 +201,32 @@ async function start() {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let overdue;
 
+  /** What is asked for, one after the other, once all else is answered. @type {[string, string][]} */
+  let later = [];
+  /** @type {Set<string>} */
+  const late = new Set();
+
+  function askLater() {
+    while (busy.size === 0 && !state.moving()) {
+      const one = later.shift();
+      if (!one) return;
+      late.add(one[0]);
+      runner(one[0]).request(one[1]);
+    }
+  }
+
   function ask() {
     const here = current();
     if (!here) return;
+    later = state.moving() ? [] : Object.entries(here.module.later?.(state.get(), catalog) ?? {});
+    for (const name of late) if (busy.has(name)) runner(name).cancel();
     const wanted = here.module.queries(state.get(), catalog, state.moving());
     first = Object.keys(wanted)[0] ?? "";
     for (const [name, path] of Object.entries(wanted)) {
       // While the first is on its way again and again, the others would only slow it down.
       if (name === first || !state.moving() || !busy.has(first)) runner(name).request(path);
     }
+    askLater();
   }
 
   /** Draw what has just been set: with the answer if that is on its way, else now. */
@@ -239,8 +257,10 @@ async function start() {
   async function open(id) {
     if (active === id) return;
     current()?.view.deactivate();
+    later = [];
     for (const one of runners.values()) one.cancel();
     runners.clear();
+    late.clear();
     answers = {};
     active = id;
     shell.showTab(id);

@@ -46,6 +46,8 @@
  * @property {(context: ViewContext) => View} createView
  * @property {(state: State, catalog: Catalog, moving?: boolean) => Record<string, string>} queries what is left out
  *   keeps its last answer
+ * @property {(state: State, catalog: Catalog) => Record<string, string>} [later] what is asked for when all of
+ *   these are answered and nothing moves, one after the other
  * @property {(state: State, catalog: Catalog) => string[]} restCalls
  */
 

@@ -3,6 +3,7 @@
 import { EXAMPLES } from "../examples.js";
 import { parameterFields } from "../model-parameters.js";
 import { choice, LinkError, list, number } from "../state.js";
+import { SOURCES } from "./conversions.js";
 import { COLUMNS } from "./metrics.js";
 
 /**
@@ -95,8 +96,9 @@ export function compareFields({ models, parameters }) {
     k_high: number({ ...k, default: null }),
     budget: number({ default: 0.02, minimum: 1e-9, maximum: 1 }),
     within: choice("max_abs", ["max_abs", "rms", "cosine_weighted_mean", "max_relative"]),
-    from: choice("ior", ["ior", "f0", "f0_srgb", "nk", "rg", "dg", "specular", "reflectance"]),
+    from: choice("media", Object.keys(SOURCES)),
     given: words(),
+    seen_from: number({ default: null, minimum: 1e-3, maximum: 100 }),
     ...parameterFields(models),
   };
 }

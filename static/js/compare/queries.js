@@ -1,6 +1,7 @@
 /** What the Compare view asks the server for. */
 
 import { parameterQuery } from "../model-parameters.js";
+import { convertPath } from "./conversions.js";
 import { focused, isMap, isPointwise, ranges } from "./fields.js";
 
 /**
@@ -108,7 +109,7 @@ export function recommendPath(state, catalog) {
 
 /**
  * Paths by name, in the order of their importance. While something moves only the curves are asked
- * for; the rest follows when it stands still.
+ * for, and the map as soon as it stands still.
  * @param {State} state
  * @param {Catalog} catalog
  * @param {boolean} [moving]
@@ -118,7 +119,20 @@ export function queries(state, catalog, moving = false) {
   /** @type {Record<string, string>} */
   const wanted = { curves: curvesPath(state, catalog) };
   for (const n of state.family) wanted[`curves@${n}`] = curvesPath(state, catalog, n);
-  if (moving) return wanted;
+  if (!moving && isMap(state.over) && !hasTriple(state, focused(state)))
+    wanted.map = mapPath(state, catalog);
+  return wanted;
+}
+
+/**
+ * What takes the server longer: the errors over the hemisphere, the sweeps, and which model will do.
+ * @param {State} state
+ * @param {Catalog} catalog
+ * @returns {Record<string, string>}
+ */
+export function later(state, catalog) {
+  /** @type {Record<string, string>} */
+  const wanted = {};
   if (state.against.length) {
     wanted.errors = errorsPath(state, catalog);
     for (const n of state.family) wanted[`errors@${n}`] = errorsPath(state, catalog, n);
@@ -126,15 +140,19 @@ export function queries(state, catalog, moving = false) {
   if (!isMap(state.over)) {
     for (const id of state.against.filter((/** @type {string} */ one) => !hasTriple(state, one)))
       wanted[`sweep:${id}`] = sweepPath(state, catalog, id);
-  } else if (!hasTriple(state, focused(state))) wanted.map = mapPath(state, catalog);
+  }
+  wanted.convert = convertPath(state);
   wanted.recommend = recommendPath(state, catalog);
   return wanted;
 }
 
 /** @param {State} state @param {Catalog} catalog @returns {string[]} */
 export function restCalls(state, catalog) {
-  const { curves, errors, map, recommend } = queries(state, catalog);
+  const { curves, map } = queries(state, catalog);
+  const { errors, recommend, convert } = later(state, catalog);
   const sweep =
     state.against.length && !isMap(state.over) ? sweepPath(state, catalog, focused(state)) : null;
-  return [curves, errors, map ?? sweep, recommend].filter((p) => p !== undefined && p !== null);
+  return [curves, errors, map ?? sweep, recommend, convert].filter(
+    (p) => p !== undefined && p !== null,
+  );
 }

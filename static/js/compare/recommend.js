@@ -73,7 +73,9 @@ export function createRecommend({ models, state, actions }) {
   const more = h("details", { class: "definitions", hidden: true }, moreSummary, others);
   const refused = h("ul", { class: "refused" });
   const summary = h("summary", {});
-  const rest = h("details", { class: "definitions", hidden: true }, summary, refused);
+  // Beside the answer where there is room for it, folded below it elsewhere.
+  const wide = matchMedia("(min-width: 1180px)").matches;
+  const rest = h("details", { class: "definitions", hidden: true, open: wide }, summary, refused);
   const note = h("p", { class: "reason" });
   const element = h(
     "section",
@@ -89,9 +91,7 @@ export function createRecommend({ models, state, actions }) {
     ),
     wrong,
     note,
-    answer,
-    more,
-    rest,
+    h("div", { class: "verdict" }, h("div", {}, answer, more), rest),
   );
 
   /** @param {number | null} value @param {string} metric */

@@ -2,6 +2,7 @@
 
 import { candidatesOf, rowsOf } from "../compare/answers.js";
 import { createControls } from "../compare/controls.js";
+import { createConvert } from "../compare/convert.js";
 import { createExamples } from "../compare/examples.js";
 import { compareFields } from "../compare/fields.js";
 import { createFigure } from "../compare/figure.js";
@@ -14,7 +15,7 @@ import { createDefinitions } from "../explore/definitions.js";
 import { angle } from "../format.js";
 import { loadStyle } from "../style.js";
 
-export { queries, restCalls } from "../compare/queries.js";
+export { later, queries, restCalls } from "../compare/queries.js";
 export const fields = compareFields;
 
 /**
@@ -23,7 +24,7 @@ export const fields = compareFields;
  */
 
 await Promise.all(
-  ["compare", "compare-errors", "heatmap"].map((name) => loadStyle(`css/${name}.css`)),
+  ["compare", "compare-errors", "convert", "heatmap"].map((name) => loadStyle(`css/${name}.css`)),
 );
 
 /** @param {ViewContext} context */
@@ -41,6 +42,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
   const plots = createPlots({ parent: element, models, actions, save });
   const figure = createFigure({ parent: element, catalog, actions, save });
   const recommend = createRecommend({ models, state, actions });
+  const convert = createConvert({ state, actions });
   const definitions = createDefinitions(models, typeset);
   const table = createTable({
     models,
@@ -59,6 +61,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
       definitions.element,
     ),
     recommend.element,
+    convert.element,
   );
 
   /** @type {Record<string, {title: string, lines: string[]}>} what went wrong, by the query's name */
@@ -100,6 +103,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
       if (!moving) {
         figure.update(now, answers);
         recommend.update(now, answers.recommend, problems.recommend);
+        convert.update(now, answers.convert, problems.convert);
       }
     },
 
@@ -120,6 +124,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
       if (name !== "recommend" && name !== "convert") return false;
       problems[name] = problem;
       if (name === "recommend") recommend.update(state(), before.recommend, problem);
+      else convert.update(state(), before.convert, problem);
       return true;
     },
 
