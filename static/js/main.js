@@ -25,6 +25,9 @@ const VIEWS = [
   { id: "materials", title: "Materials", load: () => import("./views/materials.js") },
 ];
 
+/** What all views know of every medium; index.html has it on its way before this script runs. */
+const MATERIALS = "/materials?fields=id,name,category,n,k,wavelength_nm,kind,rival_of,n_range_nm";
+
 const ANSWER_DUE = 80; // ms that a picture in motion waits for its answer
 const PAGE_ANGLE = 64; // where the page starts: R, Rs and Rp are well apart
 const SAY_AFTER = 900; // ms of rest before the numbers are spoken
@@ -89,7 +92,7 @@ async function fetchCatalog() {
   const [parameters, models, materials] = await Promise.all([
     load("/parameters"),
     load("/models"),
-    load("/materials"),
+    load(MATERIALS),
   ]);
   return {
     parameters: parameters.parameters,

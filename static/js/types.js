@@ -6,7 +6,8 @@
  * @typedef {{id: string, title: string, kind: string, applies_to: string[], parameters: Parameter[],
  *   latex: string, reference: string, validity: string, cost: unknown}} Model
  * @typedef {{id: string, name: string, category: string, n: number, k: number | null,
- *   wavelength_nm: number | null, source: string}} Material
+ *   wavelength_nm: number | null, kind: string, rival_of: string | null,
+ *   n_range_nm: [number, number] | null}} Material
  * @typedef {{n_i: number, n_t: number, k_t: number, eta: number, kappa: number, kind: string,
  *   F0: number, F82: number, brewster_deg: number | null, critical_deg: number | null,
  *   pseudo_brewster_deg: number | null}} Interface

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import lru_cache
 from typing import Annotated, Any, Literal
 
 import orjson
@@ -100,10 +100,11 @@ def listed(query: ListQuery) -> dict[str, Any]:
     }
 
 
-@cache
-def whole_list() -> ReadyBody:
-    """The answer that most clients ask for, made once a process."""
-    return ReadyBody(orjson.dumps(listed(ListQuery())), "application/json", effort="thorough")
+@lru_cache(maxsize=8)
+def whole_list(fields: str | None) -> ReadyBody:
+    """The answers that most clients ask for, made once a process."""
+    query = ListQuery() if fields is None else ListQuery(fields=fields)
+    return ReadyBody(orjson.dumps(listed(query)), "application/json", effort="thorough")
 
 
 def add_list(routes: APIRouter) -> None:
@@ -111,6 +112,6 @@ def add_list(routes: APIRouter) -> None:
 
     @routes.get("/materials", response_model=MaterialsOut, summary="Media and materials by name")
     async def materials(request: Request, query: Annotated[ListQuery, Query()]) -> Response:
-        if not query.model_fields_set:
-            return whole_list().response(request)
+        if query.model_fields_set <= {"fields"}:
+            return whole_list(query.fields).response(request)
         return json_response(request, listed(query), query.digits)

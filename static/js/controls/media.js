@@ -47,7 +47,7 @@ function createPicker(label, materials, refusal, onPick) {
           .map((m) =>
             h(
               "option",
-              { value: m.id, disabled: refusal(m) !== null, title: refusal(m) ?? m.source },
+              { value: m.id, disabled: refusal(m) !== null, title: refusal(m) },
               `${m.name}\u2003${indices(m)}`,
             ),
           ),

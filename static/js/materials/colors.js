@@ -144,7 +144,7 @@ export function createColors({ parent, catalog, actions, save }) {
     },
   };
 
-  /** @param {State} state @param {import('./columns.js').Preset} preset @param {any} index @param {any} colors */
+  /** @param {State} state @param {import('../types.js').Material} preset @param {any} index @param {any} colors */
   function draw(state, preset, index, colors) {
     /** @param {{theta_i_deg: number[]}} answer */
     const xOf = (answer) => answer.theta_i_deg.map((d) => inUnit(d, state.angle));

@@ -3,7 +3,6 @@
 /**
  * @typedef {import('../types.js').Catalog} Catalog
  * @typedef {import('../types.js').State} State
- * @typedef {import('./columns.js').Preset} Preset
  */
 
 /** A cell's color needs no more digits. */
@@ -20,18 +19,16 @@ function path(route, parts) {
   return query ? `${route}?${query}` : route;
 }
 
-/** @param {Catalog} catalog @param {string} id @returns {Preset | undefined} */
+/** @param {Catalog} catalog @param {string} id */
 export function presetOf({ materials }, id) {
-  return /** @type {Preset | undefined} */ (
-    /** @type {unknown} */ (materials.find((m) => m.id === id))
-  );
+  return materials.find((m) => m.id === id);
 }
 
 /** Other measurements of the same material. @param {Catalog} catalog @param {string} id @returns {string[]} */
 export function rivalsOf(catalog, id) {
   const own = presetOf(catalog, id);
   const root = own?.rival_of ?? id;
-  return /** @type {Preset[]} */ (/** @type {unknown} */ (catalog.materials))
+  return catalog.materials
     .filter((m) => (m.id === root || m.rival_of === root) && m.id !== id)
     .map((m) => m.id);
 }
