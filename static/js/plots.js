@@ -304,7 +304,7 @@ export function createPlot(element, options) {
     const [low = 0, high = 1] = axes.x.range ?? [];
     handle.setAttribute("role", "slider");
     handle.tabIndex = 0;
-    handle.setAttribute("aria-label", plainText(axes.x.title));
+    handle.setAttribute("aria-label", plainText(axes.x.title || axes.x.short || "abscissa"));
     handle.setAttribute("aria-valuemin", String(low));
     handle.setAttribute("aria-valuemax", String(high));
     element.dataset.pick = "";

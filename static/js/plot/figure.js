@@ -202,7 +202,7 @@ export function plotlyLayout(axes, arrangement, theme) {
       // The overlay draws the hovered abscissa itself: Plotly's spike is three lines thick.
       showspikes: false,
       unifiedhovertitle: {
-        text: `${plotlyText(shortTitle(axes.x.title))} = %{x:${axes.x.unit === "°" ? ".2f" : ".6~g"}}${unitSuffix(axes.x.unit)}`,
+        text: `${plotlyText(shortTitle(axes.x.title || axes.x.short || "x"))} = %{x:${axes.x.unit === "°" ? ".2f" : ".6~g"}}${unitSuffix(axes.x.unit)}`,
       },
     },
     yaxis: plotlyAxis(axes.y, ranges.y, ticks.y, arrangement, theme),

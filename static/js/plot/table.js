@@ -47,7 +47,7 @@ export function dataTable(name, axis, traces) {
     row.append(th);
   };
   const head = table.createTHead().insertRow();
-  heading(head, plainText(axis.title), "col");
+  heading(head, plainText(axis.title || axis.short || "x"), "col");
   for (const trace of traces) heading(head, plainText(trace.label), "col");
   const body = table.createTBody();
   for (const index of rows) {
