@@ -29,7 +29,7 @@ export function createChooser({ chosen, onChange }) {
     { type: "button", class: "quiet", onclick: () => onChange([]) },
     "clear",
   );
-  clear.setAttribute("aria-label", "Choose no fit");
+  clear.setAttribute("aria-label", "Clear the fits");
   const element = h(
     "div",
     { class: "chooser" },

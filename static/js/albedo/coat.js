@@ -320,9 +320,10 @@ export function createCoat({ presets, state, actions, save, say }) {
         answer.theta_i_deg === null
           ? "diffuse light"
           : `a ray at ${angle(answer.theta_i_deg, "deg", 1)}`;
+      const shares = PARTS.map(([name, words]) => `${percent(answer[name])} ${words}`);
       frame.setAttribute(
         "aria-label",
-        `Of ${lit} on paint with a coat of n = ${plain(answer.interface.n_t, 4)}: ${PARTS.map(([name, words]) => `${percent(answer[name])} ${words}`).join(", ")}`,
+        `Of ${lit} on paint with a coat of n = ${plain(answer.interface.n_t, 4)}: ${shares.join(", ")}`,
       );
       PARTS.forEach(([name], i) => {
         pieces[i]?.style.setProperty("--share", String(answer[name]));

@@ -3,7 +3,7 @@
 import { short } from "../compare/metrics.js";
 import { createChoice } from "../controls/choice.js";
 import { h, setText } from "../dom.js";
-import { plain } from "../format.js";
+import { plain, six } from "../format.js";
 import { roundUp } from "../plot/colors.js";
 import { createHeatmap } from "../plot/heatmap.js";
 import { createBounds } from "./bounds.js";
@@ -71,7 +71,7 @@ export function sayLargest({ show, largest, largest_in_domain: inside, domains }
   /** @param {import('./answers.js').Largest | null} found */
   const words = (found) =>
     found
-      ? `${short(found.value)} at n = ${plain(found.n_t, 3)}, k = ${plain(found.k_t, 3)}`
+      ? `${(show === "error" ? short : six)(found.value)} at n = ${plain(found.n_t, 3)}, k = ${plain(found.k_t, 3)}`
       : "none";
   if (show === "exact") return `Largest ${words(largest)}.`;
   if (domains.length === 0) return `Largest error ${words(largest)}.`;
@@ -125,7 +125,12 @@ export function createMap(parent, { actions, state, save }) {
       map_k_high: null,
     }),
   );
-  const tableHost = h("div", { class: "plot-table" });
+  const tableHost = h("div", {
+    class: "plot-table",
+    tabindex: "0",
+    role: "region",
+    "aria-label": "Table of the map",
+  });
   const dataTable = h(
     "details",
     { class: "definitions" },
@@ -206,7 +211,7 @@ export function createMap(parent, { actions, state, save }) {
         z: {
           title: WHAT[answer.show],
           kind: answer.show === "error" ? "signed" : "size",
-          print: short,
+          print: answer.show === "error" ? short : six,
           level: claim?.claimed ?? null,
           ...(answer.show !== "error"
             ? { range: [0, 1] }

@@ -79,7 +79,9 @@ export function createPlots(parent, { actions, save }) {
   const trouble = createTrouble("Back to the usual fits and range", () =>
     actions.set({ fits: null, sweep_low: null, sweep_high: null }),
   );
-  const tableHosts = [h("div", { class: "plot-table" }), h("div", { class: "plot-table" })];
+  const tableHosts = ["Table of the albedos", "Table of the errors"].map((label) =>
+    h("div", { class: "plot-table", tabindex: "0", role: "region", "aria-label": label }),
+  );
   const dataTable = h(
     "details",
     { class: "definitions" },

@@ -11,7 +11,7 @@ import { chosenFits, isMetal, mapFit, mapRange, sweepRange } from "./fields.js";
 const STEPS = { dielectric: 401, metal: 401 };
 const MAP_CELLS = { n: 118, k: 121 };
 /** A cell's colour needs no more. */
-const MAP_DIGITS = 5;
+const MAP_DIGITS = 6;
 
 /** @param {string} route @param {(string | false)[]} parts */
 function path(route, parts) {
