@@ -78,13 +78,14 @@ def gulbrandsen_index(r: Array, g: Array) -> tuple[Array, Array]:
 def gulbrandsen_g(eta: Array, r: Array) -> Array:
     """Gulbrandsen's g of a relative index and its F0 = r; above 1 where eta^2 + kappa^2 < 1.
 
-    Without a boundary (r = 0) every g gives the same index, and 0 is returned.
+    Without a boundary, or one too faint for doubles, every g gives the same index: 0 is returned.
     """
     top = eta_max(r)
-    with np.errstate(invalid="ignore"):
-        g = (top - eta) / (top - (1.0 - r) / (1.0 + r))
+    width = top - (1.0 - r) / (1.0 + r)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        g = (top - eta) / width
     # A dielectric has g = 0 exactly; rounding of the square root may leave it just below.
-    return np.where(r == 0.0, 0.0, np.maximum(g, 0.0))
+    return np.where(width == 0.0, 0.0, np.maximum(g, 0.0))
 
 
 def deon_index(r: Array, G: Array) -> tuple[Array, Array]:

@@ -13,6 +13,8 @@ from app.optics.parameters import K_T, N_I, N_T, Array
 
 Kind = Literal["dielectric", "conductor"]
 
+_SMALLEST_KAPPA = 1e-150
+
 MU_BAR = 1.0 / 7.0
 """Cosine at which F82 is taken, about 81.8 degrees (Hoffman 2019; Kutz et al. 2021)."""
 
@@ -59,8 +61,9 @@ class Interface:
 
     @cached_property
     def kappa(self) -> Array:
-        """Relative extinction k_t / n_i."""
-        return np.asarray(self.k_t / self.n_i)
+        """Relative extinction k_t / n_i; 0 where its square would be no double."""
+        ratio = self.k_t / self.n_i
+        return np.where(ratio < _SMALLEST_KAPPA, 0.0, ratio)
 
     @cached_property
     def eta_minus_1(self) -> Array:

@@ -144,6 +144,9 @@ class TestInterface:
         assert float(Interface(1.0, n_t).eta_minus_1) == 2.0**-40
         assert float(Interface(1.37, 1.37).eta_minus_1) == 0.0
 
+    def test_an_extinction_without_a_square_is_none(self) -> None:
+        assert Interface(k_t=[1e-300, 1e-140]).kappa.tolist() == [0.0, 1e-140]
+
     def test_is_immutable(self) -> None:
         with pytest.raises(AttributeError):
             Interface().n_t = np.asarray(2.0)  # type: ignore[misc]
