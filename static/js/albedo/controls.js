@@ -56,6 +56,8 @@ export function createControls({ catalog, presets, state, actions }) {
 
   const media = createMedia({
     materials: catalog.materials,
+    actions,
+    prefix: "albedo-",
     onPick(side, id) {
       if (catalog.materials.some((m) => m.id === id)) actions.set({ [side]: id });
     },
@@ -113,11 +115,12 @@ export function createControls({ catalog, presets, state, actions }) {
   return {
     element: sheet.element,
     stop() {
+      media.stop();
       for (const { row } of rows) row.stop();
     },
     /** @param {State} now @param {readonly import('./answers.js').Fit[]} fits */
     update(now, fits) {
-      media.update(/** @type {any} */ (now));
+      media.update(now);
       /** @type {Record<string, {value: number, label: string}[]>} */
       const marks = {
         n_i: [{ value: now.n_t, label: "equal to n_t" }],

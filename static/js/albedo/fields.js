@@ -24,7 +24,7 @@ const FIRST_FITS = {
 /** Ranges of the relative index, of n_t and of k_t over n_i. @type {Record<Surface, [number, number]>} */
 const RANGES = {
   outside: [1, 3],
-  inside: [0.4, 1],
+  inside: [0.5, 1],
   "metal-n": [0.1, 4],
   "metal-k": [0, 8],
 };

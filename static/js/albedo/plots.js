@@ -199,6 +199,7 @@ export function createPlots(parent, { actions, save }) {
     curves = albedoTraces(sweep, shown, fits);
     errors = errorTraces(sweep, shown, fits);
     const claims = claimTraces(sweep, fits, relative);
+    const all = decisive([...errors, ...claims]);
     const axis = /** @type {typeof AXES.eta} */ (AXES[sweep.over]);
     if (moving && look === drawn.look) {
       upper.fast(curves);
@@ -214,7 +215,7 @@ export function createPlots(parent, { actions, save }) {
         x: { .../** @type {any} */ (axis), range, steps: STEPS },
         y: {
           title: relative ? "(fit − exact) / exact (%)" : "fit − exact",
-          range: errorRange(tamed(decisive([...errors, ...claims]))),
+          range: errorRange(relative ? tamed(all) : all),
           labels: LABELS,
         },
       });
