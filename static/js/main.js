@@ -6,7 +6,6 @@ import { byId, h } from "./dom.js";
 import { createShell } from "./shell.js";
 import { choice, createState, number, optional } from "./state.js";
 import { startWorker } from "./transport.js";
-import { typeset } from "./typeset.js";
 
 /**
  * @typedef {import('./types.js').Catalog} Catalog
@@ -288,7 +287,7 @@ async function start() {
         actions,
         say: shell.say,
         save,
-        typeset,
+        typeset: async (latex, element) => (await import("./typeset.js")).typeset(latex, element),
       });
       opened.set(id, { module, view, host });
     }

@@ -2,21 +2,19 @@
  * Plots of curves over an abscissa, drawn by Plotly when things stand still and by writing the
  * paths directly while a pointer is down (a tenth of the cost).
  *
+ * What the first picture does without (legend, table, files) is loaded when it is asked for.
+ *
  * The element becomes a figure with a name; its SVG is hidden from readers, who get the data table
  * and, where an abscissa can be picked, a slider on the axis.
  */
 
 import { plainText } from "./draw/symbols.js";
 import { plain } from "./format.js";
-import { toCsv } from "./plot/csv.js";
-import { exportFigure, imageOf } from "./plot/export.js";
 import { createFastPath } from "./plot/fast.js";
 import { bandShapes, CONFIG, plotlyLayout, plotlyTraces, unitSuffix } from "./plot/figure.js";
 import { arrange } from "./plot/layout.js";
-import { drawLegend } from "./plot/legend.js";
 import { createOverlay, MOST_LABELS } from "./plot/overlay.js";
 import { listenForPicks } from "./plot/pick.js";
-import { dataTable } from "./plot/table.js";
 import { readTheme } from "./plot/theme.js";
 
 /** @typedef {import("./plot/model.js").Trace} Trace */
@@ -252,7 +250,8 @@ export function createPlot(element, options) {
   const showLegend = () => {
     const wanted = traces.filter((trace) => !trace.bare).length > most;
     legend.hidden = !wanted;
-    if (wanted) drawLegend(legend, traces);
+    if (wanted)
+      void import("./plot/legend.js").then(({ drawLegend }) => drawLegend(legend, traces));
   };
 
   /** @type {Plot["draw"]} */
@@ -337,10 +336,12 @@ export function createPlot(element, options) {
     },
     exportAs: async (format) => {
       if (format === "csv") {
+        const { toCsv } = await import("./plot/csv.js");
         return new Blob([toCsv(axes.x.column ?? plainText(axes.x.title), traces)], {
           type: "text/csv;charset=utf-8",
         });
       }
+      const { exportFigure, imageOf } = await import("./plot/export.js");
       const { width, height } = arrangement?.size ?? { width: 960, height: 600 };
       const wide = Math.min(Math.max(width, EXPORT_WIDTH.least), EXPORT_WIDTH.most);
       const size = { width: Math.round(wide), height: Math.round((wide * height) / width) + 40 };
@@ -366,7 +367,12 @@ export function createPlot(element, options) {
       );
     },
     filename: (format) => `${options.filename ?? "plot"}.${format}`,
-    table: () => dataTable(name, axes.x, traces),
+    table: () => {
+      const table = document.createElement("table");
+      const shown = /** @type {const} */ ([name, axes.x, traces]);
+      void import("./plot/table.js").then(({ fillTable }) => fillTable(table, ...shown));
+      return table;
+    },
     theme: () => {
       theme = readTheme(element);
       overlay.useFaces(theme);

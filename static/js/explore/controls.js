@@ -2,7 +2,6 @@
 
 import { createChoice } from "../controls/choice.js";
 import { createMedia } from "../controls/media.js";
-import { createParameters } from "../controls/parameters.js";
 import { createRow } from "../controls/row.js";
 import { h, setText, symbol } from "../dom.js";
 import { evaluateAngle } from "../expression.js";
@@ -182,7 +181,21 @@ export function createControls({ catalog, presets, state, actions }) {
       return { models, group, box, count };
     })
     .filter(({ models }) => models.length > 0);
-  const own = createParameters({ models: catalog.models, state, actions });
+  const ownPlace = h("div");
+  /** @type {ReturnType<typeof import("../controls/parameters.js").createParameters> | null} */
+  let own = null;
+
+  /** Rows for the models' parameters, once one of the models shown has any. */
+  function updateOwn() {
+    const { models } = state();
+    if (own) own.update(state(), models);
+    else if (catalog.models.some((m) => models.includes(m.id) && m.parameters.length > 0))
+      void import("../controls/parameters.js").then(({ createParameters }) => {
+        own ??= createParameters({ models: catalog.models, state, actions });
+        ownPlace.replaceWith(own.element);
+        updateOwn();
+      });
+  }
 
   // On a phone the panel is a sheet at the bottom: a strip of values, one row, the rest on demand.
   const strip = h("div", { class: "strip", role: "group", "aria-label": "Which value to move" });
@@ -215,7 +228,7 @@ export function createControls({ catalog, presets, state, actions }) {
       angles.element,
       show.element,
       ...overlays.map((o) => o.box),
-      own.element,
+      ownPlace,
     ),
   );
   const element = h(
@@ -245,7 +258,7 @@ export function createControls({ catalog, presets, state, actions }) {
     element,
     stop() {
       for (const r of rows.values()) r.stop();
-      own.stop();
+      own?.stop();
     },
     /**
      * @param {State} now
@@ -276,7 +289,7 @@ export function createControls({ catalog, presets, state, actions }) {
         const chosen = models.filter((m) => now.models.includes(m.id)).length;
         setText(count, chosen ? ` ${chosen} of ${models.length}` : ` ${models.length}`);
       }
-      own.update(now, now.models);
+      updateOwn();
     },
   };
 }

@@ -25,15 +25,14 @@ export function pickedRows(count, limit = ROWS) {
 }
 
 /**
+ * @param {HTMLTableElement} table
  * @param {string} name
  * @param {Axis} axis of the abscissa
  * @param {readonly Trace[]} traces
- * @returns {HTMLTableElement}
  */
-export function dataTable(name, axis, traces) {
+export function fillTable(table, name, axis, traces) {
   const { x, columns } = joined(traces);
   const rows = pickedRows(x.length);
-  const table = document.createElement("table");
   table.className = "curve-table";
   table.createCaption().textContent =
     rows.length < x.length
@@ -59,5 +58,4 @@ export function dataTable(name, axis, traces) {
         value === null || value === undefined ? "none" : six(value) + unitSuffix(traces[n]?.unit);
     });
   }
-  return table;
 }
