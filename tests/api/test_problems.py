@@ -110,7 +110,7 @@ REFUSED = [
     ("/curves?models=lazanyi2005&lazanyi2005.alpha=-1", "lazanyi2005.alpha"),
     ("/curves?models=lazanyi2005&lazanyi2005.beta=1", "lazanyi2005.beta"),
     ("/curves?models=lazanyi2005&lazanyi2005__alpha=7", "lazanyi2005__alpha"),
-    ("/curves?models=schlick&schlick.F0=0.04", "schlick.F0"),
+    ("/curves?models=exact&exact.F0=0.04", "exact.F0"),
     ("/curves?models=lut_1d&lut_1d.size=2.5", "lut_1d.size"),
     ("/curves?models=lut_1d&lut_1d.bits=12", "lut_1d.bits"),
     ("/curves?models=hoffman_f82&hoffman_f82.F0=", "hoffman_f82.F0"),

@@ -1,0 +1,297 @@
+"""HTTP itself: caches, compression, CORS, security headers, HEAD, and what a real server refuses."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import socket
+import threading
+import time
+from collections.abc import Iterator, Mapping
+
+import pytest
+import uvicorn
+import zstandard
+from fastapi import FastAPI
+
+from app.api.problems import MEDIA_TYPE
+from app.main import create_app
+from app.server import ProblemProtocol
+from app.settings import Settings
+from tests.api.raw import Answer, send
+
+API = b"/api/v1"
+CURVES = API + b"/curves?models=exact,schlick"
+SNELL = API + b"/snell?n_t=2"
+CSV = API + b"/curves?format=csv"
+CACHED = [CURVES, SNELL, CSV, API + b"/models", API + b"/models/exact", API + b"/parameters"]
+
+
+def ask(app: FastAPI, target: bytes, method: str = "GET", **headers: str) -> Answer:
+    named = {name.replace("_", "-"): value for name, value in headers.items()}
+    return send(app, target, method, named)
+
+
+class TestCaches:
+    @pytest.mark.parametrize("target", CACHED)
+    def test_answers_may_be_kept(self, app: FastAPI, target: bytes) -> None:
+        answer = ask(app, target)
+        assert answer.status == 200
+        assert answer.headers["cache-control"] == "public, max-age=3600"
+        assert "Accept-Encoding" in answer.headers["vary"].split(", ")
+        assert answer.headers["etag"].startswith('W/"')
+        assert int(answer.headers["content-length"]) == len(answer.body)
+
+    def test_how_long_is_a_setting(self) -> None:
+        short = create_app(Settings(max_age_s=5))
+        assert ask(short, SNELL).headers["cache-control"] == "public, max-age=5"
+
+    @pytest.mark.parametrize("target", CACHED)
+    def test_what_the_client_has_is_not_sent_again(self, app: FastAPI, target: bytes) -> None:
+        first = ask(app, target)
+        again = ask(app, target, If_None_Match=first.headers["etag"])
+        assert (again.status, again.body) == (304, b"")
+        for name in ("etag", "cache-control", "vary"):
+            assert again.headers[name] == first.headers[name]
+        assert "content-type" not in again.headers
+
+    @pytest.mark.parametrize(
+        ("held", "status"),
+        [
+            ("*", 304),
+            ("{etag}", 304),
+            ("{strong}", 304),
+            ('"other", {etag}', 304),
+            ('W/"other"', 200),
+            ("", 200),
+            ("{bare}", 200),
+        ],
+    )
+    def test_weak_comparison_of_lists(self, app: FastAPI, held: str, status: int) -> None:
+        etag = ask(app, SNELL).headers["etag"]
+        strong = etag.removeprefix("W/")
+        given = held.format(etag=etag, strong=strong, bare=strong.strip('"'))
+        assert ask(app, SNELL, If_None_Match=given).status == status
+
+    def test_the_tag_is_that_of_the_content(self, app: FastAPI) -> None:
+        tags = {ask(app, target).headers["etag"] for target in CACHED}
+        assert len(tags) == len(CACHED)
+        same = ask(app, API + b"/snell?n_i=1&n_t=2.0")
+        assert same.headers["etag"] == ask(app, SNELL).headers["etag"]
+        assert create_app_tag() == same.headers["etag"]
+
+    def test_errors_are_not_kept(self, app: FastAPI) -> None:
+        for target in (API + b"/snell?n_t=x", API + b"/nope"):
+            answer = ask(app, target)
+            assert "etag" not in answer.headers
+            assert "cache-control" not in answer.headers
+
+
+def create_app_tag() -> str:
+    """Tag of the same content from another process's application."""
+    return ask(create_app(), SNELL).headers["etag"]
+
+
+class TestCompression:
+    @pytest.mark.parametrize(
+        ("accepted", "used"),
+        [
+            ("gzip", "gzip"),
+            ("zstd", "zstd"),
+            ("gzip, deflate, br, zstd", "zstd"),
+            ("gzip;q=1.0, *;q=0", "gzip"),
+            ("zstd;q=0, gzip", "gzip"),
+            ("GZIP", "gzip"),
+            ("*", "zstd"),
+            ("br", None),
+            ("identity", None),
+            ("gzip;q=0", None),
+            ("gzip;q=lots", None),
+            ("", None),
+        ],
+    )
+    @pytest.mark.parametrize("target", [CURVES, CSV])
+    def test_as_the_client_asks(
+        self, app: FastAPI, target: bytes, accepted: str, used: str | None
+    ) -> None:
+        plain, answer = ask(app, target), ask(app, target, Accept_Encoding=accepted)
+        assert answer.headers.get("content-encoding") == used
+        assert decoded(answer) == plain.body
+        assert answer.headers["content-type"] == plain.headers["content-type"]
+        assert int(answer.headers["content-length"]) == len(answer.body)
+        if used:
+            assert len(answer.body) < 0.6 * len(plain.body)
+
+    def test_short_answers_are_sent_as_they_are(self, app: FastAPI) -> None:
+        answer = ask(app, API + b"/models/exact", Accept_Encoding="gzip, zstd")
+        assert len(answer.body) < 1024
+        assert "content-encoding" not in answer.headers
+
+    def test_no_accept_encoding_no_compression(self, app: FastAPI) -> None:
+        assert "content-encoding" not in ask(app, CURVES).headers
+
+    def test_one_tag_for_all_encodings(self, app: FastAPI) -> None:
+        packed = ask(app, CURVES, Accept_Encoding="zstd")
+        again = ask(app, CURVES, Accept_Encoding="gzip", If_None_Match=packed.headers["etag"])
+        assert again.status == 304
+
+
+def decoded(answer: Answer) -> bytes:
+    match answer.headers.get("content-encoding"):
+        case "gzip":
+            return gzip.decompress(answer.body)
+        case "zstd":
+            return bytes(zstandard.decompress(answer.body, max_output_size=10_000_000))
+        case _:
+            return answer.body
+
+
+class TestOtherOrigins:
+    @pytest.mark.parametrize("target", [*CACHED, API + b"/health", API + b"/nope"])
+    def test_any_page_may_read(self, app: FastAPI, target: bytes) -> None:
+        answer = ask(app, target, Origin="https://example.org")
+        assert answer.headers["access-control-allow-origin"] == "*"
+        assert "access-control-allow-credentials" not in answer.headers
+        assert answer.headers["access-control-expose-headers"] == "ETag"
+
+    def test_preflight_of_get_passes_and_of_others_does_not(self, app: FastAPI) -> None:
+        origin = "https://example.org"
+        allowed = ask(app, SNELL, "OPTIONS", Origin=origin, Access_Control_Request_Method="GET")
+        assert allowed.status == 200
+        assert allowed.headers["access-control-allow-methods"] == "GET, HEAD"
+        refused = ask(app, SNELL, "OPTIONS", Origin=origin, Access_Control_Request_Method="DELETE")
+        assert refused.status == 400
+
+
+class TestSecurity:
+    @pytest.mark.parametrize(
+        "target", [*CACHED, API + b"/health", API + b"/nope", b"/", b"/nope", b"/openapi.json"]
+    )
+    def test_types_are_not_guessed(self, app: FastAPI, target: bytes) -> None:
+        assert ask(app, target).headers["x-content-type-options"] == "nosniff"
+
+    def test_the_page_loads_nothing_from_elsewhere(self, app: FastAPI) -> None:
+        answer = ask(app, b"/")
+        assert answer.status == 200
+        policy = answer.headers["content-security-policy"]
+        directives = dict(part.split(" ", 1) for part in policy.split("; "))
+        assert directives["default-src"] == "'none'"
+        assert directives["script-src"] == directives["connect-src"] == "'self'"
+        assert directives["frame-ancestors"] == "'none'"
+        assert "http" not in policy
+        assert answer.headers["referrer-policy"] == "no-referrer"
+        assert answer.headers["cross-origin-opener-policy"] == "same-origin"
+        assert "camera=()" in answer.headers["permissions-policy"]
+
+
+class TestHead:
+    @pytest.mark.parametrize("target", [*CACHED, API + b"/health", b"/", API + b"/nope"])
+    def test_is_get_without_the_body(self, app: FastAPI, target: bytes) -> None:
+        head, get = ask(app, target, "HEAD"), ask(app, target)
+        assert head.body == b""
+        assert head.status == get.status
+        assert head.headers == get.headers
+
+
+# ---- a server as the command runs it: what it refuses never reaches the application
+
+
+class Server(uvicorn.Server):
+    """A server in a thread of the tests."""
+
+    def address(self) -> tuple[str, int]:
+        while not self.started:
+            time.sleep(0.01)
+        host, port = self.servers[0].sockets[0].getsockname()[:2]
+        return host, port
+
+
+@pytest.fixture(scope="module")
+def address(app: FastAPI) -> Iterator[tuple[str, int]]:
+    config = uvicorn.Config(
+        app, port=0, http=ProblemProtocol, log_level="critical", server_header=False
+    )
+    server = Server(config)
+    thread = threading.Thread(target=server.run)
+    thread.start()
+    yield server.address()
+    server.should_exit = True
+    thread.join()
+
+
+def exchange(address: tuple[str, int], request: bytes) -> Answer:
+    """Send bytes as they are and read until the server hangs up."""
+    with socket.create_connection(address, timeout=10) as connection:
+        connection.sendall(request)
+        received = b"".join(iter(lambda: connection.recv(65536), b""))
+    head, _, body = received.partition(b"\r\n\r\n")
+    status, *lines = head.decode("latin-1").split("\r\n")
+    headers: Mapping[str, str] = {
+        name.lower(): value for name, _, value in (line.partition(": ") for line in lines)
+    }
+    return Answer(int(status.split()[1]), headers, body)
+
+
+def get(address: tuple[str, int], target: bytes, method: bytes = b"GET") -> Answer:
+    lines = [method + b" " + target + b" HTTP/1.1", b"Host: test", b"Connection: close", b"", b""]
+    return exchange(address, b"\r\n".join(lines))
+
+
+def test_a_served_answer_is_that_of_the_application(app: FastAPI, address: tuple[str, int]) -> None:
+    served = get(address, SNELL)
+    assert (served.status, served.body) == (200, ask(app, SNELL).body)
+    assert "server" not in served.headers
+
+
+def test_a_served_head_has_no_body(address: tuple[str, int]) -> None:
+    served = get(address, SNELL, b"HEAD")
+    assert (served.status, served.body) == (200, b"")
+    assert int(served.headers["content-length"]) == len(get(address, SNELL).body)
+
+
+@pytest.mark.parametrize(
+    "request_",
+    [
+        b"GET " + SNELL + b"1" * 70_000 + b" HTTP/1.1\r\nHost: x\r\n\r\n",
+        b"GET " + SNELL + b"1" * 100_000 + b" HTTP/1.1\r\nHost: x\r\n\r\n",
+        b"GET " + API + b"/snell?n_t=\xff HTTP/1.1\r\nHost: x\r\n\r\n",
+        b"GET " + API + b"/\xff HTTP/1.1\r\nHost: x\r\n\r\n",
+        b"GET " + API + b"/snell?n_t=\x00 HTTP/1.1\r\nHost: x\r\n\r\n",
+        b"GET " + API + b"/snell?n_t=1 5 HTTP/1.1\r\nHost: x\r\n\r\n",
+        b"NOPE " + SNELL + b" HTTP/1.1\r\nHost: x\r\n\r\n",
+        b"GET HTTP/1.1\r\n\r\n",
+        b"what is this\r\n\r\n",
+        b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03\r\n\r\n",
+    ],
+    ids=lambda request: repr(request[:30]),
+)
+def test_what_is_no_request_gets_a_problem_too(address: tuple[str, int], request_: bytes) -> None:
+    answer = exchange(address, request_)
+    assert answer.status == 400
+    assert answer.headers["content-type"] == MEDIA_TYPE
+    assert int(answer.headers["content-length"]) == len(answer.body)
+    told = json.loads(answer.body)
+    assert (told["status"], told["title"]) == (400, "Bad Request")
+    assert told["detail"]
+
+
+@pytest.mark.parametrize(
+    ("target", "status"),
+    [
+        (SNELL + b"1" * 60_000, 422),
+        (API + b"/snell?n_t=%ff", 422),
+        (API + b"/snell?n_t=%zz", 422),
+        (API + b"/models/%00", 404),
+        (API + b"/%2e%2e/%2e%2e/pyproject.toml", 404),
+        (b"/../pyproject.toml", 404),
+        (b"*", 404),
+    ],
+    ids=lambda x: repr(x)[:40],
+)
+def test_hostile_targets_over_the_wire(
+    address: tuple[str, int], target: bytes, status: int
+) -> None:
+    answer = get(address, target)
+    assert answer.status == status
+    assert answer.headers["content-type"] == MEDIA_TYPE
+    assert json.loads(answer.body)["status"] == status

@@ -1,0 +1,145 @@
+"""The schema says of every route and parameter what the server does."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import pytest
+from fastapi import FastAPI
+from pydantic import BaseModel
+
+from app import __version__
+from app.api import schemas
+from app.api.problems import MEDIA_TYPE
+from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, Parameter
+from app.optics.registry import default_registry
+from tests.api.raw import send
+
+PREFIX = "/api/v1"
+OUTPUTS = {
+    "/health": schemas.HealthOut,
+    "/models": schemas.ModelsOut,
+    "/models/{model_id}": schemas.ModelOut,
+    "/parameters": schemas.ParametersOut,
+    "/snell": schemas.SnellOut,
+    "/curves": schemas.CurvesOut,
+}
+OWN = [(model, p) for model in default_registry().values() for p in model.parameters]
+
+
+@pytest.fixture(scope="module")
+def schema(app: FastAPI) -> dict[str, Any]:
+    answer = send(app, b"/openapi.json")
+    assert answer.status == 200
+    told: dict[str, Any] = answer.json()
+    return told
+
+
+def parameters(schema: dict[str, Any], path: str) -> dict[str, dict[str, Any]]:
+    return {p["name"]: p for p in schema["paths"][PREFIX + path]["get"]["parameters"]}
+
+
+def bounds(parameter: dict[str, Any]) -> tuple[float, float]:
+    """Minimum and maximum, of the number in a number-or-null too."""
+    told = parameter["schema"]
+    number = next((x for x in told.get("anyOf", []) if "minimum" in x), told)
+    return number["minimum"], number["maximum"]
+
+
+def test_title_version_and_conventions(schema: dict[str, Any]) -> None:
+    assert schema["openapi"].startswith("3.1")
+    assert schema["info"]["version"] == __version__
+    assert "exp(-i w t)" in schema["info"]["description"]
+
+
+@pytest.mark.parametrize("path", OUTPUTS)
+def test_routes_are_described(schema: dict[str, Any], path: str) -> None:
+    route = schema["paths"][PREFIX + path]["get"]
+    assert route["summary"]
+    assert route["tags"]
+    body = route["responses"]["200"]["content"]["application/json"]["schema"]
+    assert body == {"$ref": f"#/components/schemas/{OUTPUTS[path].__name__}"}
+    assert MEDIA_TYPE in route["responses"]["4XX"]["content"]
+    assert "422" not in route["responses"], "FastAPI's own error shape is never sent"
+
+
+def test_operation_ids_differ(schema: dict[str, Any]) -> None:
+    operations = [op for path in schema["paths"].values() for op in path.values()]
+    assert all(set(path) <= {"get", "post"} for path in schema["paths"].values())
+    ids = [operation["operationId"] for operation in operations]
+    assert len(set(ids)) == len(ids)
+
+
+def test_every_parameter_is_described(schema: dict[str, Any]) -> None:
+    for path, operations in schema["paths"].items():
+        for operation in operations.values():
+            for parameter in operation.get("parameters", []):
+                if parameter["in"] == "query":
+                    assert parameter.get("description"), (path, parameter["name"])
+
+
+@pytest.mark.parametrize(
+    ("path", "declared"),
+    [(path, p) for path in ("/snell", "/curves") for p in (N_I, N_T, K_T)]
+    + [("/snell", THETA_I_DEG)],
+    ids=lambda x: getattr(x, "name", x),
+)
+def test_declared_parameters_have_bounds_units_and_examples(
+    schema: dict[str, Any], path: str, declared: Parameter
+) -> None:
+    shown = parameters(schema, path)[declared.name]
+    assert shown["required"] is False
+    assert shown["description"] == declared.description
+    assert bounds(shown) == (declared.minimum, declared.maximum)
+    assert shown["schema"]["default"] == declared.default
+    assert shown["schema"]["unit"] == declared.unit
+    assert shown["schema"]["symbol"] == declared.symbol
+    (example,) = shown["schema"]["examples"]
+    assert declared.minimum <= example <= declared.maximum
+
+
+def test_bounds_of_the_contract(schema: dict[str, Any]) -> None:
+    shown = parameters(schema, "/curves")
+    assert bounds(shown["samples"]) == (2, 20001)
+    assert shown["samples"]["schema"]["default"] == 181
+    assert bounds(shown["digits"]) == (3, 17)
+    assert shown["digits"]["schema"]["default"] == 17
+    assert shown["format"]["schema"]["enum"] == ["json", "csv"]
+    assert shown["landmarks"]["schema"]["default"] is False
+    assert shown["models"]["schema"]["default"] == "exact"
+
+
+@pytest.mark.parametrize("model_id", default_registry())
+def test_every_model_is_named(schema: dict[str, Any], model_id: str) -> None:
+    described = parameters(schema, "/curves")["models"]["description"]
+    assert model_id in re.findall(r"[a-z0-9_]+", described)
+
+
+@pytest.mark.parametrize(("model", "own"), OWN, ids=[f"{m.id}.{p.name}" for m, p in OWN])
+def test_parameters_of_models(schema: dict[str, Any], model: Any, own: Parameter) -> None:
+    shown = parameters(schema, "/curves")[f"{model.id}.{own.name}"]
+    assert shown["description"].startswith(own.description)
+    assert shown["required"] is False
+    if own.choices:
+        assert shown["schema"]["enum"] == [name for name, _ in own.choices]
+    else:
+        assert bounds(shown) == (own.minimum, own.maximum)
+        assert shown["schema"].get("default") == own.default
+    if own.triple:
+        assert "string" in {kind["type"] for kind in shown["schema"]["anyOf"]}
+        assert any("," in example for example in shown["schema"]["examples"])
+
+
+@pytest.mark.parametrize("output", [*OUTPUTS.values(), schemas.InterfaceOut, schemas.ComplexOut])
+def test_shapes_of_answers_are_in_the_schema(
+    schema: dict[str, Any], output: type[BaseModel]
+) -> None:
+    shape = schema["components"]["schemas"][output.__name__]
+    assert set(shape["properties"]) == set(output.model_fields)
+
+
+def test_nothing_of_the_program_itself_shows(app: FastAPI) -> None:
+    text = send(app, b"/openapi.json").body
+    for word in (b"WithModels", b"HTTPValidationError", b"app.optics", b".py"):
+        assert word not in text
