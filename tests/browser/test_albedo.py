@@ -84,18 +84,18 @@ def test_the_view_is_loaded_when_it_is_asked_for(page: Page) -> None:
 
 
 def test_the_marker_is_the_interface_of_all_views(quiet_page: Page) -> None:
-    page = opened(quiet_page, "&n_t=2")
+    page = opened(quiet_page, "&n_t=1.6")
     chip = page.locator(".albedos .upper .plot-handle")
-    expect(chip).to_have_text("2")
+    expect(chip).to_have_text("1.6")
     chip.focus()
     page.keyboard.press("ArrowRight")
     page.keyboard.press("PageUp")
-    expect(page).to_have_url(at("n_t", r"2\.11"))
-    expect(page.locator(".albedos .lower .plot-handle")).to_have_text("2.11")
+    expect(page).to_have_url(at("n_t", r"1\.71"))
+    expect(page.locator(".albedos .lower .plot-handle")).to_have_text("1.71")
     surface(page, "from inside")
-    expect(page.locator(".albedos .upper .plot-handle")).to_have_text(re.compile(r"^0\.47393"))
+    expect(page.locator(".albedos .upper .plot-handle")).to_have_text(re.compile(r"^0\.584795"))
     page.locator(".views a", has_text="Explore").click()
-    expect(page.locator("#n_t-box")).to_have_value("2.11")
+    expect(page.locator("#n_t-box")).to_have_value("1.71")
 
 
 def test_metals_over_n_and_k_share_the_sliders(quiet_page: Page) -> None:
