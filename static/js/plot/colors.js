@@ -22,8 +22,16 @@ export function roundUp(value) {
  * @returns {Scale}
  */
 export function scaleOf(z, kind) {
-  const sizes = z.flat().flatMap((v) => (v === null || !Number.isFinite(v) ? [] : [Math.abs(v)]));
-  sizes.sort((a, b) => a - b);
+  let count = 0;
+  const all = new Float64Array(z.length * (z[0]?.length ?? 0));
+  for (const row of z) {
+    for (const value of row) {
+      if (value === null || !Number.isFinite(value)) continue;
+      all[count] = Math.abs(value);
+      count += 1;
+    }
+  }
+  const sizes = all.subarray(0, count).sort();
   const most = sizes.at(-1) ?? 1;
   const usual = sizes[Math.floor((sizes.length - 1) * (1 - LEFT_OUT))] ?? most;
   const high = roundUp(most > 2 * usual && usual > 0 ? usual : most);

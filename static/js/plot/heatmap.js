@@ -9,11 +9,13 @@ import { createMeasure } from "../draw/measure.js";
 import { put, px, show, svg } from "../draw/svg.js";
 import { plainText } from "../draw/symbols.js";
 import { plain } from "../format.js";
+import { createCells, putCells } from "./cells.js";
 import { scaleOf, stops } from "./colors.js";
 import { contour } from "./contour.js";
 import { imageOf } from "./export.js";
 import { CONFIG, plotlyLayout, unitSuffix } from "./figure.js";
 import { gridCsv, gridTable } from "./grid.js";
+import { drawKey } from "./key.js";
 import { arrange } from "./layout.js";
 import { library } from "./library.js";
 import { createOutlines, regionShapes } from "./regions.js";
@@ -90,6 +92,8 @@ export function createHeatmap(element, options) {
   /** @type {{column: number, row: number} | null} the cell that the keyboard stands on, if it has left the current place */
   let probe = null;
   let destroyed = false;
+  const cells = createCells();
+  let framed = ""; // what stands around the cells that Plotly has drawn
 
   const axes = () => ({ x: xAxis, y: yAxis, y2: null });
 
@@ -154,40 +158,7 @@ export function createHeatmap(element, options) {
     }
   }
 
-  function placeKey() {
-    const colors = stops(scale.kind, theme.color).map(([at, c]) => `${c} ${100 * at}%`);
-    const bar = document.createElement("span");
-    bar.className = "map-bar";
-    bar.style.background = `linear-gradient(90deg, ${colors.join(", ")})`;
-    const beyond = scale.capped ? "≥ " : "";
-    const signed = scale.kind === "signed";
-    const texts = [
-      signed ? `${scale.capped ? "≤ " : ""}${plain(scale.low)}` : "0",
-      ...(signed ? ["0"] : []),
-      `${beyond}${plain(scale.high)}`,
-    ];
-    const ends = texts.map((text) => {
-      const span = document.createElement("span");
-      span.textContent = text;
-      return span;
-    });
-    const labels = document.createElement("span");
-    labels.className = "map-ends";
-    labels.append(...ends);
-    const title = document.createElement("span");
-    title.className = "map-title";
-    title.textContent = plainText(values.title);
-    const scaleBox = document.createElement("span");
-    scaleBox.className = "map-scale";
-    scaleBox.append(bar, labels);
-    key.replaceChildren(title, scaleBox);
-    if (values.level) {
-      const note = document.createElement("span");
-      note.className = "map-note";
-      note.textContent = `line at ${scale.kind === "signed" ? "±" : ""}${plain(values.level)}`;
-      key.append(note);
-    }
-  }
+  const placeKey = () => drawKey(key, scale, values, theme.color);
 
   function traces() {
     return [
@@ -238,12 +209,14 @@ export function createHeatmap(element, options) {
     const size = { width: area.clientWidth, height: area.clientHeight };
     if (destroyed || !grid || size.width < SMALLEST || size.height < SMALLEST) return;
     arrangement = arranged(size);
-    const drawn = Plotly.react(
-      canvas,
-      /** @type {any} */ (traces()),
-      bareLayout(arrangement),
-      CONFIG,
-    );
+    const layout = bareLayout(arrangement);
+    const frame = JSON.stringify([layout, grid.x, grid.y]);
+    const inPlace =
+      frame === framed && putCells(canvas, cells(grid.z, scale, stops(scale.kind, theme.color)));
+    framed = frame;
+    const drawn = inPlace
+      ? null
+      : Plotly.react(canvas, /** @type {any} */ (traces()), layout, CONFIG);
     placeLevel();
     outlines.place(regions, arrangement);
     placeCross();

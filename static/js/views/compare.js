@@ -4,7 +4,7 @@ import { candidatesOf, rowsOf } from "../compare/answers.js";
 import { createControls } from "../compare/controls.js";
 import { createConvert } from "../compare/convert.js";
 import { createExamples } from "../compare/examples.js";
-import { compareFields } from "../compare/fields.js";
+import { compareFields, isMap } from "../compare/fields.js";
 import { createFigure } from "../compare/figure.js";
 import { short } from "../compare/metrics.js";
 import { createPlots } from "../compare/plots.js";
@@ -26,6 +26,8 @@ export const fields = compareFields;
 await Promise.all(
   ["compare", "compare-errors", "convert", "heatmap"].map((name) => loadStyle(`css/${name}.css`)),
 );
+
+const SETTLE_AFTER = 250; // ms
 
 /** @param {ViewContext} context */
 export function createView({ element, catalog, presets, state, actions, say, save, typeset }) {
@@ -68,6 +70,8 @@ export function createView({ element, catalog, presets, state, actions, say, sav
   const problems = {};
   /** @type {Record<string, any>} */
   let before = {};
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let settling;
 
   return {
     /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
@@ -85,7 +89,11 @@ export function createView({ element, catalog, presets, state, actions, say, sav
       definitions.update(now.against);
       const stale = moving || (now.against.length > 0 && !isOf(errors?.interface, now));
       examples.update(now, answers, !stale);
-      plots.update(now, answers, moving);
+      clearTimeout(settling);
+      const map = isMap(now.over) && !moving;
+      plots.update(now, answers, moving || map);
+      // Settling two plots takes longer than a map: the map comes first.
+      if (map) settling = setTimeout(() => plots.update(now, answers, false), SETTLE_AFTER);
       const here = plots.reading(now.theta_i_deg);
       table.update(
         now.against.length ? rowsOf(errors).filter((r) => now.against.includes(r.model)) : [],
@@ -132,8 +140,12 @@ export function createView({ element, catalog, presets, state, actions, say, sav
       plots.theme();
       figure.theme();
     },
-    deactivate: () => controls.stop(),
+    deactivate() {
+      clearTimeout(settling);
+      controls.stop();
+    },
     destroy() {
+      clearTimeout(settling);
       controls.stop();
       plots.destroy();
       figure.destroy();
