@@ -164,7 +164,7 @@ export const EXAMPLES = [
     title: "A family of curves over n",
     source: "Wloka",
     claim:
-      "The denser the medium, the more it reflects at every angle: ice, crown glass, diamond, gallium phosphide.",
+      "Ice, crown glass, diamond, gallium phosphide: the denser, the more it reflects, up to about 80 degrees, where the curves cross.",
     measured: [
       "At normal incidence R is ",
       { of: "errors", metric: "F0", n: 1.31 },

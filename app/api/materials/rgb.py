@@ -22,7 +22,6 @@ from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, Array
 from app.optics.quadrature import Nodes, crowded_gauss_legendre
 from app.optics.registry import Model, Registry
-from app.optics.specular import polynomial
 
 CHANNELS = ("red", "green", "blue")
 COLORS = frozenset({"F0", "F82", "tint"})
@@ -37,8 +36,8 @@ class RgbQuery(ColorQuery):
     models: ModelsParameter = Field(
         "schlick,f82_tint,exact",
         description="Comma-separated ids of the models that stand beside the spectrum as R, G and "
-        "B: `schlick`, `exact` (from n and k averaged to R, G and B), and those whose parameters "
-        "are F0, F82 or a tint.",
+        "B: `exact` (from n and k averaged to R, G and B), and those whose parameters are F0, F82 "
+        "or a tint.",
         examples=["schlick,f82_tint,exact"],
     )
     gamut: Gamut = swatch_gamut("unclamped")
@@ -89,11 +88,9 @@ def check_models(models: list[Model], registry: Registry) -> None:
         Naming those that can.
     """
     for model in models:
-        if model.id not in ("schlick", "exact") and not takes_color(model):
+        if model.id != "exact" and not takes_color(model):
             able = [m.id for m in registry.values() if takes_color(m)]
-            raise NotAllowed(
-                "models", repr(model.id), f"one of {', '.join(('exact', 'schlick', *able))}"
-            )
+            raise NotAllowed("models", repr(model.id), f"one of {', '.join(('exact', *able))}")
 
 
 def rgb_models(
@@ -114,9 +111,6 @@ def rgb_models(
                 "k": averaged.k_t.ravel(),
             }
             yield RgbModel("exact", "Exact, from n and k averaged", inputs, _exact(averaged))
-        elif model.id == "schlick":
-            inputs = {"F0": F0}
-            yield RgbModel("schlick", model.title, inputs, _schlick(F0))
         else:
             inputs = {p.name: colors[p.name] for p in model.parameters if p.name in COLORS}
             given = {name: value[:, np.newaxis] for name, value in inputs.items()}
@@ -139,10 +133,6 @@ def _averaged(spectrum: Spectrum, n_i: Array | float, query: RgbQuery) -> Interf
 
 def _exact(interface: Interface) -> Callable[[Incidence], Array]:
     return lambda incidence: power(interface, incidence).R
-
-
-def _schlick(F0: Array) -> Callable[[Incidence], Array]:
-    return lambda incidence: polynomial(F0[:, np.newaxis], incidence.cos)
 
 
 def _of(

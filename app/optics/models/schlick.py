@@ -1,17 +1,15 @@
 """Schlick's polynomial, the approximation in nearly every renderer."""
 
-import numpy as np
-
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.optics.registry import Cost, Measured, Model
+from app.optics.specular import F0, no_critical_angle, only_F0, polynomial
 
 
-def schlick(interface: Interface, incidence: Incidence) -> Array:
-    """R = F0 + (1 - F0)(1 - cos theta_i)^5 with F0 of the interface."""
-    F0 = interface.F0
-    return np.asarray(F0 + (1.0 - F0) * (1.0 - incidence.cos) ** 5)
+def schlick(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
+    """F0 + (1 - F0)(1 - mu)^5."""
+    return polynomial(F0, incidence.cos)
 
 
 MODEL = Model(
@@ -26,6 +24,8 @@ MODEL = Model(
     "angle. Misses the dip of metals before grazing incidence.",
     cost=Cost(add=2, mul=4),
     function=schlick,
+    parameters=(F0,),
+    solve=only_F0,
     measured=(
         Measured(1, 1.333, 0, max_abs=0.0592, at_deg=83.8, rms=0.0246),
         Measured(1, 1.5, 0, max_abs=0.0357, at_deg=85.0, rms=0.0163),
@@ -33,9 +33,5 @@ MODEL = Model(
         Measured(1, 0.27, 2.9, max_abs=0.0182, at_deg=76.3, rms=0.0101),
         Measured(1, 2.9, 3.0, max_abs=0.175, at_deg=83.0, rms=0.0828),
     ),
-    limits=lambda interface: (
-        "n_t < n_i: Schlick's polynomial knows no critical angle"
-        if not interface.is_conductor and bool(np.any(interface.eta < 1.0))
-        else None
-    ),
+    limits=no_critical_angle,
 )
