@@ -1,7 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { stretch, wavelength } from "../../static/js/format.js";
 import { known, spanned, valueAt, within } from "../../static/js/materials/band.js";
-import { COLUMNS, length, sortedPresets, stretch } from "../../static/js/materials/columns.js";
+import { COLUMNS, sortedPresets } from "../../static/js/materials/columns.js";
 import { materialFields, wavelengths } from "../../static/js/materials/fields.js";
 import { queries, restCalls, rivalsOf } from "../../static/js/materials/queries.js";
 import { citation, condition } from "../../static/js/materials/source.js";
@@ -132,7 +133,7 @@ test("numbers of the table fit their column and invent nothing", () => {
   assert.equal(print("k", { k: 0 }), "0");
   assert.equal(print("k", { k: 9.76e-9 }), "9.8 × 10⁻⁹");
   assert.equal(print("F0", { color: { luminance: 1e-8 } }), "< 0.001");
-  assert.equal(length(24930), "24.9\u00a0µm");
+  assert.equal(wavelength(24930), "24.9\u00a0µm");
   assert.equal(stretch([300, 830]), "300–830\u00a0nm");
   assert.equal(stretch([300, 24930]), "300\u00a0nm – 24.9\u00a0µm");
 });

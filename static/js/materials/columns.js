@@ -33,21 +33,6 @@ import { byColumn } from "../sorted.js";
 
 const CONFIDENCE = ["low", "medium", "high"];
 
-/** A wavelength as it is written in a table. @param {number} nm */
-export function length(nm) {
-  if (nm >= 1e6) return `${plain(nm / 1e6, 3)}\u00a0mm`;
-  if (nm >= 10_000) return `${plain(nm / 1e3, 3)}\u00a0µm`;
-  return `${plain(nm, nm < 1000 ? 3 : 4)}\u00a0nm`;
-}
-
-/** From where to where, with the unit once where it is the same. @param {readonly [number, number]} range */
-export function stretch([low, high]) {
-  if (low === high) return length(low);
-  const [a, b] = [length(low), length(high)];
-  const [number = "", unit] = a.split("\u00a0");
-  return unit === b.split("\u00a0")[1] ? `${number}–${b}` : `${a} – ${b}`;
-}
-
 /** A coefficient in the width of a column: what is too weak to see keeps its power of ten. @param {number | null} x */
 export function narrow(x) {
   if (x === null) return "–";

@@ -1,7 +1,7 @@
 /** The name of the chosen preset, what it is, and where to go with it. */
 
 import { h, setText } from "../dom.js";
-import { stretch } from "./columns.js";
+import { stretch } from "../format.js";
 
 /** @typedef {import('../types.js').State} State */
 
@@ -27,13 +27,15 @@ export function createHead({ views, actions }) {
   const name = h("h2", { class: "material-name", tabindex: "-1" });
   const about = h("p", { class: "material-about" });
   let id = "";
+  /** @type {number | null} */
+  let at_nm = null;
   const targets = views.filter((view) => TARGETS.includes(view.id));
   const links = targets.map(({ id: view, title }) => {
     const link = h("a", { class: "use" }, title);
     link.addEventListener("click", (event) => {
       if (event.ctrlKey || event.metaKey || event.shiftKey) return;
       event.preventDefault();
-      actions.set({ view, material: id });
+      actions.set({ view, material: id, wavelength_nm: at_nm });
     });
     return { view, link };
   });
@@ -51,9 +53,10 @@ export function createHead({ views, actions }) {
   return {
     element,
     name,
-    /** @param {any} detail */
-    update(detail) {
+    /** @param {any} detail @param {State} state */
+    update(detail, state) {
       id = detail.id;
+      at_nm = state.at_nm;
       setText(name, detail.name);
       const words = [
         detail.category,
@@ -65,7 +68,8 @@ export function createHead({ views, actions }) {
       ];
       setText(about, words.filter(Boolean).join(" · "));
       for (const { view, link } of links) {
-        const own = `material=${encodeURIComponent(detail.id)}`;
+        const at = at_nm === null ? "" : `&wavelength_nm=${at_nm}`;
+        const own = `material=${encodeURIComponent(detail.id)}${at}`;
         link.href = view === "explore" ? `?${own}` : `?view=${view}&${own}`;
       }
     },

@@ -4,9 +4,8 @@ import { copyText, flash } from "../clipboard.js";
 import { createChoice } from "../controls/choice.js";
 import { h, setText, symbol } from "../dom.js";
 import { ExpressionError, evaluate } from "../expression.js";
-import { plain, significant, six } from "../format.js";
+import { plain, significant, six, stretch } from "../format.js";
 import { POLICIES } from "./browser.js";
-import { stretch } from "./columns.js";
 import { paint } from "./table.js";
 
 /** @typedef {import('../types.js').State} State */

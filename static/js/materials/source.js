@@ -2,8 +2,8 @@
 
 import { copyText, flash } from "../clipboard.js";
 import { h, setText } from "../dom.js";
-import { plain } from "../format.js";
-import { narrow, stretch } from "./columns.js";
+import { plain, stretch } from "../format.js";
+import { narrow } from "./columns.js";
 
 /** Units that end the names of conditions. @type {Record<string, string>} */
 const UNITS = { k: "K", pa: "Pa", nm: "nm" };

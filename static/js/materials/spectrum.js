@@ -2,9 +2,9 @@
 
 import { createChoice } from "../controls/choice.js";
 import { h } from "../dom.js";
+import { stretch } from "../format.js";
 import { createPlot } from "../plots.js";
 import { known, spanned, valueAt, within } from "./band.js";
-import { stretch } from "./columns.js";
 import { createPanel } from "./panel.js";
 import { presetOf, rivalsOf } from "./queries.js";
 

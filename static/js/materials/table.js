@@ -1,7 +1,8 @@
 /** The table of presets: one stop for the Tab key, arrows walk through it, the row walked to is shown. */
 
 import { h, setText } from "../dom.js";
-import { COLUMNS, sortedPresets, stretch } from "./columns.js";
+import { stretch } from "../format.js";
+import { COLUMNS, sortedPresets } from "./columns.js";
 
 /** @typedef {import('./columns.js').Preset} Preset */
 

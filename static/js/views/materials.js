@@ -98,7 +98,7 @@ export function createView({ element, views, catalog, actions, state, say, save 
       for (const { panel } of figures) panel.hide(!spectral);
       const known = answers.detail?.id === now.preset ? answers.detail : null;
       if (known) {
-        head.update(known);
+        head.update(known, now);
         numbers.update(known, now);
         source.update(known);
         rivals.update(known);
