@@ -1,7 +1,9 @@
 /** The wiring: state -> api -> views. */
 
 import { createQuery, load, Problem } from "./api.js";
+import { createConstants } from "./constants.js";
 import { canBeIncident } from "./controls/media.js";
+import { WAVELENGTH } from "./controls/wavelength.js";
 import { byId, h } from "./dom.js";
 import { createShell } from "./shell.js";
 import { choice, createState, number, optional } from "./state.js";
@@ -48,19 +50,10 @@ function sharedFields({ parameters, materials }) {
     ),
     incident: optional(materials.filter(canBeIncident).map((m) => m.id)),
     material: optional(ids),
+    wavelength_nm: number({ ...WAVELENGTH, default: null }),
     ...Object.fromEntries(own),
     polarization: choice("unpolarized", ["s", "p", "unpolarized"]),
     angle: choice("deg", ["deg", "rad"]),
-  };
-}
-
-/** @param {import('./types.js').Material[]} materials */
-function impliedBy(materials) {
-  /** @param {State} state @returns {State} */
-  return ({ incident, material }) => {
-    const from = materials.find((m) => m.id === incident);
-    const into = materials.find((m) => m.id === material);
-    return { ...(from && { n_i: from.n }), ...(into && { n_t: into.n, k_t: into.k ?? 0 }) };
   };
 }
 
@@ -143,7 +136,17 @@ async function start() {
   );
 
   const shared = sharedFields(catalog);
-  const state = createState(shared, { window, implied: impliedBy(catalog.materials) });
+  const constants = createConstants({
+    materials: catalog.materials,
+    query: createQuery,
+    onChange: () => store?.set({}, { history: "none" }),
+    onProblem: (problem) =>
+      shell.notice(
+        "media",
+        problem && { title: "The media stay as they were", lines: lines(problem) },
+      ),
+  });
+  const state = createState(shared, { window, implied: constants.implied });
   store = state;
   /** @type {State} */
   const presets = { ...state.get() };
@@ -322,10 +325,12 @@ async function start() {
   state.subscribe(async (now, moving) => {
     if (now.view !== active) await open(now.view);
     if (!moving) shell.notice("link", null);
+    constants.follow(now);
     ask();
     follow();
   });
   window.addEventListener("popstate", () => void followLink());
+  constants.follow(state.get());
   ask();
   schedule();
 }

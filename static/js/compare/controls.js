@@ -55,6 +55,8 @@ export function createControls({ catalog, presets, state, actions, family }) {
 
   const media = createMedia({
     materials: catalog.materials,
+    actions,
+    prefix: "compare-",
     onPick(side, id) {
       if (catalog.materials.some((m) => m.id === id)) actions.set({ [side]: id });
     },
@@ -131,6 +133,7 @@ export function createControls({ catalog, presets, state, actions, family }) {
   return {
     element: sheet.element,
     stop() {
+      media.stop();
       for (const { row } of rows) row.stop();
       parameters.stop();
     },
@@ -140,7 +143,7 @@ export function createControls({ catalog, presets, state, actions, family }) {
      * @param {ReadonlyMap<string, number>} solved what parameters left to the server came out as
      */
     update(now, reasons, solved) {
-      media.update(/** @type {any} */ (now));
+      media.update(now);
       /** @type {Record<string, {value: number, label: string}[]>} */
       const marks = {
         n_i: [{ value: now.n_t, label: "equal to n_t" }],

@@ -1,7 +1,9 @@
 /** The two media: a preset for each side, and the button that swaps them. */
 
+import { NEGLIGIBLE } from "../constants.js";
 import { h, setText } from "../dom.js";
 import { plain, significant } from "../format.js";
+import { createWavelength } from "./wavelength.js";
 
 /** @typedef {import('../types.js').Material} Material */
 
@@ -16,9 +18,6 @@ function indices(material) {
     ? `${plain(material.n)} + ${plain(material.k ?? 0)}i`
     : plain(material.n);
 }
-
-/** A real index stands for a medium whose absorption is too weak to see. */
-const NEGLIGIBLE = 1e-6;
 
 /** @param {Material} material @returns {string} */
 function groupOf({ id, category }) {
@@ -58,6 +57,11 @@ function createPicker(label, materials, refusal, onPick) {
   return { element: h("span", { class: "picker" }, select), select };
 }
 
+/** Whether a medium absorbs, but too little to see. @param {Material | undefined} material */
+function isFaint(material) {
+  return (material?.k ?? 0) > 0 && (material?.k ?? 0) < NEGLIGIBLE;
+}
+
 /** Whether a medium can be on the incident side, where the index is real. @param {Material} material */
 export function canBeIncident({ k }) {
   return (k ?? 0) < NEGLIGIBLE;
@@ -68,8 +72,11 @@ export function canBeIncident({ k }) {
  * @param {Material[]} options.materials
  * @param {(side: 'incident' | 'material', id: string) => void} options.onPick
  * @param {() => void} options.onSwap
+ * @param {import('./wavelength.js').Actions} options.actions
+ * @param {string} [options.prefix] of ids
  */
-export function createMedia({ materials, onPick, onSwap }) {
+export function createMedia({ materials, onPick, onSwap, actions, prefix = "" }) {
+  const wavelength = createWavelength({ materials, actions, prefix });
   const from = createPicker(
     "Incident medium",
     materials,
@@ -103,12 +110,16 @@ export function createMedia({ materials, onPick, onSwap }) {
     h("label", { class: "side" }, h("span", {}, "into"), into.element),
     swap,
     reason,
+    wavelength.element,
   );
   let shown = "";
   return {
     element,
-    /** @param {{incident: string | null, material: string | null, n_i: number, n_t: number, k_t: number}} state */
-    update({ incident, material, n_i, n_t, k_t }) {
+    stop: () => wavelength.stop(),
+    /** @param {import('../types.js').State} now */
+    update(now) {
+      wavelength.update(now);
+      const { incident, material, n_i, n_t, k_t } = now;
       const state = JSON.stringify([incident, material, n_i, n_t, k_t]);
       if (state === shown) return;
       shown = state;
@@ -119,6 +130,7 @@ export function createMedia({ materials, onPick, onSwap }) {
       const left = materials.find((m) => m.id === incident)?.k;
       const why = [
         left ? `n_i is real: k = ${significant(left, 2)} is left out.` : "",
+        isFaint(materials.find((m) => m.id === material)) ? "k < 10⁻⁶ is left out." : "",
         absorbing ? "No swap: n_i is real, and the second medium absorbs." : "",
       ]
         .filter(Boolean)
