@@ -7,6 +7,7 @@
 
 import { createAnnotations } from "./diagram/annotate.js";
 import { listenForDrags } from "./diagram/drag.js";
+import { createFan } from "./diagram/fan.js";
 import { arcPath, at, direction, stageOf, tint } from "./diagram/geometry.js";
 import { setArrow, setDecay, setIncident, setLine, setScale, setSigns } from "./diagram/paint.js";
 import { createScene } from "./diagram/scene.js";
@@ -32,6 +33,8 @@ import { readTheme } from "./plot/theme.js";
  * @property {{incident: string, transmitted: string}} labels
  * @property {"deg" | "rad"} angleUnit
  * @property {readonly {deg: number, label: string}[]} landmarks
+ * @property {readonly {nm: number, theta_t_deg: number | null, color: string}[]} [dispersion] refracted rays
+ *   of white light, in place of the one
  */
 
 /** @typedef {import("./diagram/drag.js").DragActions} DiagramActions */
@@ -82,6 +85,7 @@ export function createDiagram(element, actions) {
   element.setAttribute("role", "figure");
   element.setAttribute("aria-label", "Ray at the surface");
   const scene = createScene();
+  const fan = createFan(scene.refracted.group);
   element.append(scene.root);
   const handle = createHandle(element);
   const said = document.createElement("p");
@@ -158,7 +162,9 @@ export function createDiagram(element, actions) {
       setLine(scene.pathRefracted, stage, at(stage, down, stage.length));
       put(scene.arcRefracted, "d", arcPath(stage, stage.arc, theta_t_deg, "refracted"));
     }
-    setArrow(scene.refracted, stage, down ?? up, down ? rest : 0);
+    const rays = values.dispersion ?? [];
+    fan.update(stage, rays);
+    setArrow(scene.refracted, stage, down ?? up, down && rays.length === 0 ? rest : 0);
     const both = polarization === "unpolarized";
     const signs = [
       ...setSigns(scene.signs.incident, stage, back, incident, both, null),

@@ -100,6 +100,7 @@ export function createControls({ catalog, presets, state, actions }) {
 
   const media = createMedia({
     materials: catalog.materials,
+    actions,
     onPick(side, id) {
       const material = catalog.materials.find((m) => m.id === id);
       if (!material) return;
@@ -133,6 +134,7 @@ export function createControls({ catalog, presets, state, actions }) {
     items: [
       { value: "T", label: "T", content: symbol("T"), note: "transmittance" },
       { value: "phase", label: "phases", note: "phases of r_s and r_p" },
+      { value: "white", label: "white light", note: "refracted rays at several wavelengths" },
       {
         value: "marks",
         label: "marks",
@@ -141,7 +143,8 @@ export function createControls({ catalog, presets, state, actions }) {
     ],
     onChange: (picked) =>
       actions.set({
-        show: picked.filter((p) => p !== "marks"),
+        show: picked.filter((p) => p !== "marks" && p !== "white"),
+        light: picked.includes("white") ? "white" : "one",
         marks: picked.includes("marks") ? "on" : "off",
       }),
   });
@@ -257,6 +260,7 @@ export function createControls({ catalog, presets, state, actions }) {
   return {
     element,
     stop() {
+      media.stop();
       for (const r of rows.values()) r.stop();
       own?.stop();
     },
@@ -266,7 +270,7 @@ export function createControls({ catalog, presets, state, actions }) {
      * @param {Map<string, string>} reasons why a model is outside its domain here
      */
     update(now, landmarks, reasons) {
-      media.update(/** @type {any} */ (now));
+      media.update(now);
       /** @type {Record<string, {value: number, label: string}[]>} */
       const marks = {
         n_i: [{ value: now.n_t, label: "equal to n_t" }],
@@ -283,7 +287,11 @@ export function createControls({ catalog, presets, state, actions }) {
       }
       polarization.update([now.polarization]);
       angles.update([now.angle]);
-      show.update([...now.show, ...(now.marks === "on" ? ["marks"] : [])]);
+      show.update([
+        ...now.show,
+        ...(now.light === "white" ? ["white"] : []),
+        ...(now.marks === "on" ? ["marks"] : []),
+      ]);
       for (const { group, models, count } of overlays) {
         group.update(now.models, reasons);
         const chosen = models.filter((m) => now.models.includes(m.id)).length;

@@ -5,6 +5,7 @@ import { createDiagram } from "../diagram.js";
 import { h } from "../dom.js";
 import { ANGLE_STEPS, createControls } from "../explore/controls.js";
 import { createDefinitions } from "../explore/definitions.js";
+import { createDispersion, spread, spreadPaths } from "../explore/dispersion.js";
 import { createNumbers } from "../explore/numbers.js";
 import { landmarksOf, readingAt } from "../explore/reading.js";
 import { createSplit } from "../explore/split.js";
@@ -29,6 +30,7 @@ export function fields({ models }) {
     models: list(models.map((m) => m.id).filter((id) => id !== "exact")),
     show: list(["T", "phase"]),
     marks: choice("on", ["on", "off"]),
+    light: choice("one", ["one", "white"]),
     ...parameterFields(models),
   };
 }
@@ -38,6 +40,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
   const controls = createControls({ catalog, presets, state, actions });
   const numbers = createNumbers(say);
   const split = createSplit();
+  const dispersion = createDispersion();
   const definitions = createDefinitions(catalog.models, typeset);
   const diagramFrame = h("div", { class: "frame" });
   const diagramHost = h("div", { class: "diagram-host" }, diagramFrame);
@@ -80,6 +83,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
       h("div", { class: "heading" }, h("h2", {}, "Ray at the surface")),
       diagramHost,
       split.element,
+      dispersion.element,
       caption,
     ),
     h(
@@ -206,16 +210,20 @@ export function createView({ element, catalog, presets, state, actions, say, sav
         /** @type {string} */ (polarization)
       ] ?? [reading.R, reading.T];
       const media = reading.interface;
+      const rays = spread(next, catalog.materials, answers);
       diagram.update({
         ...reading,
         polarization,
         angleUnit: unit,
         labels: {
-          incident: mediumName(catalog, next.incident, media.n_i, 0) ?? "incident medium",
-          transmitted: mediumName(catalog, next.material, media.n_t, media.k_t) ?? "second medium",
+          incident: mediumName(catalog, next.incident, media.n_i, 0, next.n_i) ?? "incident medium",
+          transmitted:
+            mediumName(catalog, next.material, media.n_t, media.k_t, next.n_t) ?? "second medium",
         },
         landmarks: stops(),
+        dispersion: rays,
       });
+      dispersion.update(rays, next, catalog.materials);
       split.update(/** @type {number} */ (share), /** @type {number} */ (passed), media.k_t > 0);
       numbers.update(reading, unit, moving);
       draw(moving);
@@ -238,7 +246,10 @@ export function createView({ element, catalog, presets, state, actions, say, sav
       return `At ${angle(r.theta_i_deg, next.angle)}: ${percent(r.R)} reflected, ${into}.`;
     },
 
-    theme: () => plot.theme(),
+    theme() {
+      plot.theme();
+      if (now) this.update(now, answers, false);
+    },
     deactivate: () => controls.stop(),
     destroy() {
       controls.stop();
@@ -278,13 +289,23 @@ export function queries(state, catalog) {
 }
 
 /**
+ * White light is asked for when the light of one wavelength is drawn.
+ * @param {State} state
+ * @param {Catalog} catalog
+ */
+export function later(state, { materials }) {
+  return spreadPaths(state, materials);
+}
+
+/**
  * The calls that give what is on the screen, for people who want it in their program.
  * @param {State} state
  * @param {Catalog} catalog
  */
 export function restCalls(state, catalog) {
   const { snell, curves } = queries(state, catalog);
-  return [snell, curves];
+  const [white] = Object.values(spreadPaths(state, catalog.materials));
+  return [snell, curves, white].filter((path) => path !== undefined);
 }
 
 /** @param {State} state @param {Catalog} catalog @returns {string[]} the indices that differ from the API's defaults */
@@ -294,9 +315,10 @@ function mediaQuery(state, { parameters }) {
     .map((name) => `${name}=${state[name]}`);
 }
 
-/** @param {Catalog} catalog @param {string | null} id @param {number} n @param {number} k */
-function mediumName({ materials }, id, n, k) {
+/** @param {Catalog} catalog @param {string | null} id @param {number} n @param {number} k @param {number} set what the page says n is */
+function mediumName({ materials }, id, n, k, set) {
   const found = materials.find((m) => m.id === nameable(materials, id, n, k));
   // While the second medium moves, the named one is already left but its curves are still shown.
-  return found && found.n === n ? found.name.replace(/\s*\(.*\)$/, "") : null;
+  const shown = found && n === (id === null ? found.n : set);
+  return shown ? found.name.replace(/\s*\(.*\)$/, "") : null;
 }
