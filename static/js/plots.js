@@ -87,7 +87,10 @@ async function library() {
  * @param {number} value
  */
 function axisValue(axis, value) {
-  return (axis.unit === "°" ? value.toFixed(2) : plain(value)) + unitSuffix(axis.unit);
+  // 0.01 degrees and 0.0001 radians: what an eye or a hand can tell apart
+  const decimals = { "°": 2, rad: 4 }[axis.unit?.trim() ?? ""];
+  const text = decimals === undefined ? plain(value) : value.toFixed(decimals);
+  return text + unitSuffix(axis.unit);
 }
 
 /**

@@ -51,15 +51,16 @@ function inQuadrant(place, size, stage, ray) {
 export function angleCandidates(stage, degrees, ray, size) {
   /** @type {Candidate[]} */
   const out = [];
+  const gap = GAP * stage.unit;
   for (const share of [0.5, 0.62, 0.38, 0.74, 0.26]) {
     const along = direction(degrees * share, ray);
     const half = reach(size, along.x, along.y);
     const away = Math.abs(share - 0.5) * 4;
-    const outside = at(stage, along, stage.arc + GAP + half);
+    const outside = at(stage, along, stage.arc + gap + half);
     out.push({ slot: `outside ${share}`, ...outside, cost: away });
-    const inside = at(stage, along, stage.arc - GAP - half);
+    const inside = at(stage, along, stage.arc - gap - half);
     out.push({ slot: `inside ${share}`, ...inside, cost: 1 + away });
-    const far = at(stage, along, stage.arc + 2.2 * GAP + 2 * half);
+    const far = at(stage, along, stage.arc + 2.2 * gap + 2 * half);
     out.push({ slot: `far ${share}`, ...far, cost: 2.2 + away });
   }
   const along = direction(degrees, ray);
@@ -68,7 +69,7 @@ export function angleCandidates(stage, degrees, ray, size) {
   for (const share of [1, 0.85, 0.7, 0.5, 1.15, 1.35, 1.7, 2.1]) {
     const distance = stage.arc * share;
     const slot = `beside ${share}`;
-    const point = at(at(stage, along, distance), beside, GAP + reach(size, beside.x, beside.y));
+    const point = at(at(stage, along, distance), beside, gap + reach(size, beside.x, beside.y));
     out.push({ slot, ...point, cost: 1.8 + Math.abs(distance - stage.arc) / 40 });
   }
   return out.filter((place) => inQuadrant(place, size, stage, ray));
@@ -106,7 +107,7 @@ export function arrowCandidates(stage, along, length, size, clearance, ray) {
     }
   }
   // straight ahead of the tip
-  const ahead = at(stage, along, length + GAP + reach(size, along.x, along.y));
+  const ahead = at(stage, along, length + GAP * stage.unit + reach(size, along.x, along.y));
   out.push({ slot: "ahead", ...ahead, cost: 1.5 });
   return out.filter((place) => inQuadrant(place, size, stage, ray));
 }
