@@ -151,14 +151,26 @@ export function createRow({
       if (!left) onChange(null, false);
       return;
     }
+    // What is shown is rounded: leaving it as it is must not round the value.
+    if (!left && box.value === write.print(value)) {
+      complain("");
+      return;
+    }
     try {
-      const typed = write.parse(box.value);
-      if (typed < parameter.minimum || typed > parameter.maximum) {
-        complain(`${parameter.name} = ${write.print(typed)} is outside ${write.allowed()}`);
+      const asked = write.parse(box.value);
+      const typed = clamp(asked, parameter.minimum, parameter.maximum);
+      // A bound may be typed as it is shown, such as 1.5708 rad.
+      if (typed !== asked && write.print(typed) !== write.print(asked)) {
+        complain(`${parameter.name} = ${write.print(asked)} is outside ${write.allowed()}`);
         return;
       }
       complain("");
-      if (typed !== value || left) onChange(typed, false);
+      if (typed !== value || left) {
+        // At once: with the old value shown here, a change event could follow and bring it back.
+        value = typed;
+        left = false;
+        onChange(typed, false);
+      }
       show();
     } catch (problem) {
       if (!(problem instanceof ExpressionError)) throw problem;
