@@ -4,11 +4,11 @@ import { overlap, within } from "../../static/js/draw/boxes.js";
 import { plainText, plotlyText, runs } from "../../static/js/draw/symbols.js";
 import { toCsv } from "../../static/js/plot/csv.js";
 import { dashArray } from "../../static/js/plot/dash.js";
+import { createPixels, curvePath } from "../../static/js/plot/fast.js";
 import { shortTitle, unitSuffix } from "../../static/js/plot/figure.js";
 import { placeLabels } from "../../static/js/plot/labels.js";
 import { arrange } from "../../static/js/plot/layout.js";
 import { placeMarkNames } from "../../static/js/plot/marks.js";
-import { createPixels, curvePath } from "../../static/js/plot/path.js";
 import { pickedRows } from "../../static/js/plot/table.js";
 import { axisTicks, roundRange } from "../../static/js/plot/ticks.js";
 
