@@ -35,11 +35,18 @@ def describe(model: Model) -> dict[str, Any]:
     }
 
 
+def _for_ever(payload: dict[str, Any]) -> ReadyBody:
+    """Make an answer that stays the same while the program runs."""
+    return ReadyBody(orjson.dumps(payload), "application/json", effort="thorough")
+
+
 def router(registry: Registry) -> APIRouter:
     """Routes over the models of `registry`."""
     routes = APIRouter(route_class=QueryRoute, tags=["models"])
-    described = {"models": [describe(m) for m in registry.values()]}
-    every_model = ReadyBody(orjson.dumps(described), "application/json", effort="thorough")
+    every_model = _for_ever({"models": [describe(m) for m in registry.values()]})
+    every_parameter = _for_ever(
+        {"parameters": [asdict(parameter) for parameter in (N_I, N_T, K_T, THETA_I_DEG)]}
+    )
 
     @routes.get("/models", response_model=ModelsOut, summary="All models")
     async def models(request: Request) -> Response:
@@ -55,7 +62,6 @@ def router(registry: Registry) -> APIRouter:
 
     @routes.get("/parameters", response_model=ParametersOut, summary="Parameters and bounds")
     async def parameters(request: Request) -> Response:
-        declared = [asdict(parameter) for parameter in (N_I, N_T, K_T, THETA_I_DEG)]
-        return json_response(request, {"parameters": declared})
+        return every_parameter.response(request)
 
     return routes

@@ -4,7 +4,6 @@ import { h, setText, symbol } from "../dom.js";
 import { ExpressionError, evaluate } from "../expression.js";
 import { plain } from "../format.js";
 import { clamp, snap, stepped } from "../snap.js";
-import { createPlayer } from "./player.js";
 
 const SPEEDS = [0.25, 0.5, 1, 2, 4];
 const SNAP = 0.015; // of the slider's span
@@ -127,17 +126,25 @@ export function createRow({
     return /** @type {[number, number]} */ ([Math.min(c, value), Math.max(d, value)]);
   }
 
-  const player = createPlayer({
-    now() {
-      const [a, b] = ends();
-      return { value, low: a, high: b, fine: steps.fine };
-    },
-    onValue: (v) => onChange(v, true),
-    onPlaying(playing) {
-      play.setAttribute("aria-pressed", String(playing));
-      if (!playing) onSettle();
-    },
-  });
+  /** @type {ReturnType<typeof import("./player.js").createPlayer> | null} */
+  let player = null;
+
+  async function startOrStop() {
+    const { createPlayer } = await import("./player.js");
+    player ??= createPlayer({
+      now() {
+        const [a, b] = ends();
+        return { value, low: a, high: b, fine: steps.fine };
+      },
+      onValue: (v) => onChange(v, true),
+      onPlaying(playing) {
+        play.setAttribute("aria-pressed", String(playing));
+        if (!playing) onSettle();
+      },
+    });
+    player.setSpeed(Number(pace.value));
+    player.toggle();
+  }
 
   /** @param {string} message */
   function complain(message) {
@@ -254,7 +261,7 @@ export function createRow({
   });
   slider.addEventListener("change", onSettle);
   slider.addEventListener("dblclick", () => onChange(preset, false));
-  play.addEventListener("click", () => player.toggle());
+  play.addEventListener("click", startOrStop);
   for (const [button, sign] of /** @type {const} */ ([
     [back, -1],
     [on, 1],
@@ -264,7 +271,7 @@ export function createRow({
       onSettle();
     });
   }
-  pace.addEventListener("change", () => player.setSpeed(Number(pace.value)));
+  pace.addEventListener("change", () => player?.setSpeed(Number(pace.value)));
   widen.addEventListener("click", () => {
     more = !more;
     show();
@@ -312,7 +319,7 @@ export function createRow({
       show();
     },
     print: () => write.print(value),
-    stop: () => player.stop(),
+    stop: () => player?.stop(),
   };
 }
 

@@ -1,39 +1,18 @@
 /** White light at the surface: where each wavelength goes, from the curves that the server computed. */
 
-import { knownRange, mediaAt } from "../constants.js";
+import { knownRange } from "../constants.js";
 import { h, setText } from "../dom.js";
 import { angle } from "../format.js";
 import { locate, read } from "../interpolate.js";
 import { wavelengthColor } from "../materials/wavelength.js";
 import { values } from "./reading.js";
+import { spreadPaths } from "./spread-paths.js";
 
 /**
  * @typedef {import('../types.js').State} State
  * @typedef {import('../types.js').Material} Material
  * @typedef {{nm: number, theta_t_deg: number | null, color: string}} Ray
  */
-
-/** From violet to red, in nm. */
-const COLORS = [400, 450, 500, 550, 600, 650, 700];
-const SAMPLES = 361;
-
-/**
- * The curves of each wavelength at which the media are known, if white light is to be seen.
- * @param {State} state
- * @param {Material[]} materials
- * @returns {Record<string, string>}
- */
-export function spreadPaths(state, materials) {
-  const range = knownRange(materials, state);
-  if (state.light !== "white" || !range) return {};
-  const known = COLORS.filter((nm) => nm >= range[0] && nm <= range[1]);
-  return Object.fromEntries(
-    known.map((nm) => [
-      `white:${nm}`,
-      `/curves?${[...(mediaAt(materials, state, nm) ?? []), "refraction=true", `samples=${SAMPLES}`].join("&")}`,
-    ]),
-  );
-}
 
 /**
  * The refracted rays of white light at the page's angle, as far as their curves have come.

@@ -5,10 +5,10 @@ import { createDiagram } from "../diagram.js";
 import { h } from "../dom.js";
 import { ANGLE_STEPS, createControls } from "../explore/controls.js";
 import { createDefinitions } from "../explore/definitions.js";
-import { createDispersion, spread, spreadPaths } from "../explore/dispersion.js";
 import { createNumbers } from "../explore/numbers.js";
 import { landmarksOf, readingAt } from "../explore/reading.js";
 import { createSplit } from "../explore/split.js";
+import { spreadPaths } from "../explore/spread-paths.js";
 import { axesOf, marksOf, tracesOf } from "../explore/traces.js";
 import { angle, inDegrees, inUnit, percent } from "../format.js";
 import { parameterFields, parameterQuery } from "../model-parameters.js";
@@ -20,6 +20,7 @@ import { choice, list } from "../state.js";
  * @typedef {import('../types.js').Catalog} Catalog
  * @typedef {import('../types.js').State} State
  * @typedef {import('../types.js').ViewContext} ViewContext
+ * @typedef {typeof import('../explore/dispersion.js')} Dispersion
  */
 
 const SNAP_DEGREES = 1;
@@ -40,7 +41,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
   const controls = createControls({ catalog, presets, state, actions });
   const numbers = createNumbers(say);
   const split = createSplit();
-  const dispersion = createDispersion();
+  const whitePlace = h("div", { hidden: true });
   const definitions = createDefinitions(catalog.models, typeset);
   const diagramFrame = h("div", { class: "frame" });
   const diagramHost = h("div", { class: "diagram-host" }, diagramFrame);
@@ -83,7 +84,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
       h("div", { class: "heading" }, h("h2", {}, "Ray at the surface")),
       diagramHost,
       split.element,
-      dispersion.element,
+      whitePlace,
       caption,
     ),
     h(
@@ -158,6 +159,16 @@ export function createView({ element, catalog, presets, state, actions, say, sav
     },
   });
 
+  /** White light, once it was to be seen. @type {{spread: Dispersion["spread"], panel: ReturnType<Dispersion["createDispersion"]>} | null} */
+  let white = null;
+  async function loadWhite() {
+    const { spread, createDispersion } = await import("../explore/dispersion.js");
+    if (white) return;
+    white = { spread, panel: createDispersion() };
+    whitePlace.replaceWith(white.panel.element);
+    actions.set({}, { history: "none" });
+  }
+
   dataTable.addEventListener("toggle", () => fillTable());
   function fillTable() {
     if (dataTable.open && drawn.settled) tableHost.replaceChildren(plot.table());
@@ -210,7 +221,8 @@ export function createView({ element, catalog, presets, state, actions, say, sav
         /** @type {string} */ (polarization)
       ] ?? [reading.R, reading.T];
       const media = reading.interface;
-      const rays = spread(next, catalog.materials, answers);
+      if (next.light === "white" && !white) void loadWhite();
+      const rays = white?.spread(next, catalog.materials, answers) ?? [];
       diagram.update({
         ...reading,
         polarization,
@@ -223,7 +235,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
         landmarks: stops(),
         dispersion: rays,
       });
-      dispersion.update(rays, next, catalog.materials);
+      white?.panel.update(rays, next, catalog.materials);
       split.update(/** @type {number} */ (share), /** @type {number} */ (passed), media.k_t > 0);
       numbers.update(reading, unit, moving);
       draw(moving);
