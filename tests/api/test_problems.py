@@ -29,7 +29,7 @@ SECOND = 1.0
 """More than any refusal may take, on a busy machine too."""
 
 
-def problem(answer: Answer, *statuses: int) -> dict[str, Any]:
+def expect_problem(answer: Answer, *statuses: int) -> dict[str, Any]:
     """Check that an answer is a problem in every respect, and return it."""
     assert answer.headers["content-type"] == MEDIA_TYPE, (answer.status, answer.body[:200])
     told = Problem.model_validate_json(answer.body, strict=True, extra="forbid")
@@ -123,27 +123,27 @@ REFUSED = [
 
 @pytest.mark.parametrize(("target", "parameter"), REFUSED)
 def test_a_bad_parameter_is_named(app: FastAPI, target: str, parameter: str) -> None:
-    told = problem(send(app, API + target.encode()), 422)
+    told = expect_problem(send(app, API + target.encode()), 422)
     assert told["title"].startswith("Unprocessable")  # Entity until Python 3.12, then Content
     assert parameter in [error["parameter"] for error in told["errors"]]
     assert told["instance"] == API.decode() + target.partition("?")[0]
 
 
 def test_the_value_and_what_is_allowed_are_told(app: FastAPI) -> None:
-    (error,) = problem(send(app, API + b"/snell?n_t=1e400"), 422)["errors"]
+    (error,) = expect_problem(send(app, API + b"/snell?n_t=1e400"), 422)["errors"]
     assert (error["parameter"], error["value"]) == ("n_t", "1e400")
     assert "0.001 to 100" in error["message"]
-    (error,) = problem(send(app, API + b"/curves?samples=1000000000"), 422)["errors"]
+    (error,) = expect_problem(send(app, API + b"/curves?samples=1000000000"), 422)["errors"]
     assert error["value"] == "1000000000"
     assert "2 to 20001" in error["message"]
-    (error,) = problem(send(app, API + b"/snell?k_t=0&k_t=1"), 422)["errors"]
+    (error,) = expect_problem(send(app, API + b"/snell?k_t=0&k_t=1"), 422)["errors"]
     assert (error["value"], error["message"]) == (["0", "1"], "given more than once")
 
 
 def test_all_bad_parameters_are_told_at_once(app: FastAPI) -> None:
-    told = problem(send(app, API + b"/snell?n_i=0&n_t=x&k_t=-1&theta_i_deg=91"), 422)
+    told = expect_problem(send(app, API + b"/snell?n_i=0&n_t=x&k_t=-1&theta_i_deg=91"), 422)
     assert [error["parameter"] for error in told["errors"]] == ["n_i", "n_t", "k_t", "theta_i_deg"]
-    told = problem(send(app, API + b"/snell?x=0&y=1&n_t=1&n_t=2"), 422)
+    told = expect_problem(send(app, API + b"/snell?x=0&y=1&n_t=1&n_t=2"), 422)
     assert [error["parameter"] for error in told["errors"]] == ["x", "y", "n_t"]
 
 
@@ -158,7 +158,7 @@ def test_all_bad_parameters_are_told_at_once(app: FastAPI) -> None:
     ],
 )
 def test_unknown_names_list_the_nearest(app: FastAPI, target: str, nearest: str) -> None:
-    (error,) = problem(send(app, API + target.encode()), 422)["errors"]
+    (error,) = expect_problem(send(app, API + target.encode()), 422)["errors"]
     assert "nearest: " in error["message"]
     assert nearest in error["message"]
 
@@ -190,7 +190,7 @@ MISSING = [
 
 @pytest.mark.parametrize("path", MISSING, ids=lambda path: repr(path[:40]))
 def test_paths_that_name_nothing(app: FastAPI, path: bytes) -> None:
-    problem(send(app, API + path), 404)
+    expect_problem(send(app, API + path), 404)
 
 
 @pytest.mark.parametrize(
@@ -215,21 +215,21 @@ def test_paths_that_name_nothing(app: FastAPI, path: bytes) -> None:
     ids=lambda path: repr(path[:40]),
 )
 def test_no_trick_reaches_a_file_beyond_the_page(app: FastAPI, path: bytes) -> None:
-    problem(send(app, path), 404)
+    expect_problem(send(app, path), 404)
 
 
 @pytest.mark.parametrize("method", ["POST", "PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "NOPE"])
 @pytest.mark.parametrize("target", [b"/snell", b"/curves?n_t=2", b"/health", b"/models/exact"])
 def test_wrong_methods(app: FastAPI, method: str, target: bytes) -> None:
     answer = send(app, API + target, method)
-    told = problem(answer, 405)
+    told = expect_problem(answer, 405)
     assert method in told["detail"]
     assert answer.headers["allow"] == "GET, HEAD"
 
 
 @pytest.mark.parametrize("method", ["POST", "DELETE"])
 def test_wrong_methods_on_the_page(app: FastAPI, method: str) -> None:
-    problem(send(app, b"/", method), 405)
+    expect_problem(send(app, b"/", method), 405)
 
 
 LONG = [
@@ -252,7 +252,7 @@ def test_a_long_query_costs_little_and_is_not_echoed_in_full(app: FastAPI, targe
     before = time.process_time()
     answer = send(app, API + target)
     assert time.process_time() - before < SECOND
-    told = problem(answer, 404, 422)
+    told = expect_problem(answer, 404, 422)
     assert len(told["errors"]) <= MOST_ERRORS
     if answer.status == 422:
         assert len(answer.body) < 30_000
@@ -274,7 +274,7 @@ RAW = [
 @pytest.mark.parametrize("bad", RAW, ids=repr)
 @pytest.mark.parametrize("target", [b"/snell?n_t=", b"/snell?", b"/curves?models=", b"/nope?x="])
 def test_bytes_that_are_no_text(app: FastAPI, target: bytes, bad: bytes) -> None:
-    problem(send(app, API + target + bad))
+    expect_problem(send(app, API + target + bad))
 
 
 names = st.sampled_from(
@@ -296,7 +296,7 @@ def test_no_query_whatever_makes_the_server_fail(
     text = "&".join(f"{quote(n, safe='')}={quote(v, safe='')}" for n, v in query)
     answer = send(app, API + f"{path}?{text}".encode())
     if answer.status != 200:
-        problem(answer, 422)
+        expect_problem(answer, 422)
 
 
 @given(tail=st.binary(max_size=40))
@@ -305,7 +305,7 @@ def test_no_bytes_whatever_make_the_server_fail(app: FastAPI, tail: bytes) -> No
     path, _, query = tail.partition(b"?")
     answer = send(app, API + quote(path, safe="/%").encode() + b"?" + query)
     if answer.status != 200:
-        problem(answer, 404, 422)
+        expect_problem(answer, 404, 422)
 
 
 class TestCrash:
@@ -325,7 +325,7 @@ class TestCrash:
 
     def test_is_a_problem_without_trace_or_path(self, broken: FastAPI) -> None:
         answer = send(broken, API + b"/curves?models=broken")
-        told = problem(answer, 500)
+        told = expect_problem(answer, 500)
         assert told["errors"] == []
         for word in (b"Traceback", b"secret", b"password", b"shadow", b".py", b"RuntimeError"):
             assert word not in answer.body

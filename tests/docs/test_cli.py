@@ -25,7 +25,7 @@ ROOT = Path(__file__).parents[2]
 COMMAND = Path(sys.executable).with_name("fresnel-explorer")
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
 VERSION = PROJECT["version"]
-PATIENCE_S = 60.0
+PATIENCE_S = 300.0  # starting takes two seconds, and minutes on a machine with much else to do
 
 
 def run(*arguments: str, **environment: str) -> tuple[int, str]:

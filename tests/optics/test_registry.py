@@ -22,6 +22,8 @@ Array = NDArray[np.float64]
 MODELS = list(default_registry().values())
 WITH_PARAMETERS = [(model, parameter) for model in MODELS for parameter in model.parameters]
 
+TRIPLES = [(model, parameter) for model, parameter in WITH_PARAMETERS if parameter.triple]
+
 INTERFACES = [
     Interface(n_i, n_t, k_t)
     for n_i, n_t, k_t in [
@@ -130,10 +132,8 @@ def test_is_finite_in_its_domain(model: Model) -> None:
         assert np.isfinite(R[~undefined]).all(), interface
 
 
-@over_models
+@pytest.mark.parametrize("model", [m for m in MODELS if m.kind == "exact"], ids=lambda m: m.id)
 def test_exact_forms_stay_within_0_and_1(model: Model) -> None:
-    if model.kind != "exact":
-        pytest.skip("an approximation may leave the range; its validity says so")
     for interface in domain(model):
         R = model(interface, INCIDENCE)
         assert np.nanmin(R) >= -ROUNDING
@@ -218,10 +218,12 @@ def test_bounds_of_parameters_are_inclusive(model: Model, parameter: Parameter) 
             model(applicable(model)[0], INCIDENCE, **{parameter.name: value})
 
 
-@over_parameters
+@pytest.mark.parametrize(
+    ("model", "parameter"),
+    TRIPLES,
+    ids=[f"{m.id}.{p.name}" for m, p in TRIPLES],
+)
 def test_triples_give_three_curves(model: Model, parameter: Parameter) -> None:
-    if not parameter.triple:
-        pytest.skip("one number")
     interface = applicable(model)[0]
     values = np.linspace(parameter.minimum, parameter.maximum, 5)[1:4]
     R = model(interface, INCIDENCE, **{parameter.name: values[:, np.newaxis]})
