@@ -2,7 +2,8 @@
 
 import { NEGLIGIBLE } from "../constants.js";
 import { h, setText } from "../dom.js";
-import { plain, significant } from "../format.js";
+import { plain, significant, stretch } from "../format.js";
+import { createPicker } from "./picker.js";
 import { createWavelength } from "./wavelength.js";
 
 /** @typedef {import('../types.js').Material} Material */
@@ -15,46 +16,19 @@ function capital(word) {
 /** @param {Material} material */
 function indices(material) {
   return (material.k ?? 0) >= NEGLIGIBLE
-    ? `${plain(material.n)} + ${plain(material.k ?? 0)}i`
+    ? `${plain(material.n, 4)} + ${plain(material.k ?? 0, 4)}i`
     : plain(material.n);
+}
+
+/** What tells media of one name apart. @param {Material} material */
+function origin({ id, kind, n_range_nm }) {
+  if (kind === "spectrum" && n_range_nm) return stretch(n_range_nm);
+  return `${capital(/-([a-z]+)$/.exec(id)?.[1] ?? "")}'s table`;
 }
 
 /** @param {Material} material @returns {string} */
 function groupOf({ id, category }) {
   return id.endsWith("-shirley") ? "Shirley's table, 589 nm" : capital(category);
-}
-
-/**
- * @param {string} label
- * @param {Material[]} materials
- * @param {(material: Material) => string | null} refusal why a medium cannot stand on this side
- * @param {(id: string) => void} onPick
- */
-function createPicker(label, materials, refusal, onPick) {
-  const select = h(
-    "select",
-    { class: "preset", "aria-label": label },
-    h("option", { value: "", hidden: true }, "own value"),
-  );
-  for (const group of new Set(materials.map(groupOf))) {
-    select.append(
-      h(
-        "optgroup",
-        { label: group },
-        ...materials
-          .filter((m) => groupOf(m) === group)
-          .map((m) =>
-            h(
-              "option",
-              { value: m.id, disabled: refusal(m) !== null, title: refusal(m) },
-              `${m.name}\u2003${indices(m)}`,
-            ),
-          ),
-      ),
-    );
-  }
-  select.addEventListener("change", () => onPick(select.value));
-  return { element: h("span", { class: "picker" }, select), select };
 }
 
 /** Whether a medium absorbs, but too little to see. @param {Material | undefined} material */
@@ -77,18 +51,20 @@ export function canBeIncident({ k }) {
  */
 export function createMedia({ materials, onPick, onSwap, actions, prefix = "" }) {
   const wavelength = createWavelength({ materials, actions, prefix });
-  const from = createPicker(
-    "Incident medium",
-    materials,
-    (m) => (canBeIncident(m) ? null : "n_i is real: an absorbing medium cannot be on this side"),
-    (id) => onPick("incident", id),
-  );
-  const into = createPicker(
-    "Second medium",
-    materials,
-    () => null,
-    (id) => onPick("material", id),
-  );
+  const shared = { materials, groupOf, note: indices, origin };
+  const from = createPicker({
+    ...shared,
+    label: "Incident medium",
+    refusal: (m) =>
+      canBeIncident(m) ? null : "n_i is real: an absorbing medium cannot be on this side",
+    onPick: (id) => onPick("incident", id),
+  });
+  const into = createPicker({
+    ...shared,
+    label: "Second medium",
+    refusal: () => null,
+    onPick: (id) => onPick("material", id),
+  });
   const reason = h("p", { class: "reason", id: "swap-reason" });
   const swap = h(
     "button",
@@ -106,8 +82,8 @@ export function createMedia({ materials, onPick, onSwap, actions, prefix = "" })
   const element = h(
     "div",
     { class: "media" },
-    h("label", { class: "side" }, h("span", {}, "from"), from.element),
-    h("label", { class: "side" }, h("span", {}, "into"), into.element),
+    h("div", { class: "side" }, h("span", {}, "from"), from.element),
+    h("div", { class: "side" }, h("span", {}, "into"), into.element),
     swap,
     reason,
     wavelength.element,
@@ -123,8 +99,8 @@ export function createMedia({ materials, onPick, onSwap, actions, prefix = "" })
       const state = JSON.stringify([incident, material, n_i, n_t, k_t]);
       if (state === shown) return;
       shown = state;
-      pick(from.select, nameable(materials, incident, n_i, 0));
-      pick(into.select, nameable(materials, material, n_t, k_t));
+      from.show(nameable(materials, incident, n_i, 0));
+      into.show(nameable(materials, material, n_t, k_t));
       const absorbing = k_t > 0;
       swap.setAttribute("aria-disabled", String(absorbing));
       const left = materials.find((m) => m.id === incident)?.k;
@@ -138,11 +114,6 @@ export function createMedia({ materials, onPick, onSwap, actions, prefix = "" })
       setText(reason, why);
     },
   };
-}
-
-/** Choosing again what is chosen would lay out the page. @param {HTMLSelectElement} select @param {string | null} id */
-function pick(select, id) {
-  if (select.value !== (id ?? "")) select.value = id ?? "";
 }
 
 /**

@@ -1,0 +1,229 @@
+/** One of the catalog's media: a field that is typed into, and the list of what fits. */
+
+import { h } from "../dom.js";
+
+/** @typedef {import('../types.js').Material} Material */
+
+const MOST_TYPOS = 2;
+let pickers = 0;
+
+/** @param {string} a @param {string} b @returns {number} letters to insert, leave out or change */
+export function distance(a, b) {
+  let row = Array.from({ length: b.length + 1 }, (_, i) => i);
+  for (let i = 1; i <= a.length; i += 1) {
+    const next = [i];
+    for (let j = 1; j <= b.length; j += 1)
+      next.push(
+        Math.min(
+          (row[j] ?? 0) + 1,
+          (next[j - 1] ?? 0) + 1,
+          (row[j - 1] ?? 0) + (a[i - 1] === b[j - 1] ? 0 : 1),
+        ),
+      );
+    row = next;
+  }
+  return row[b.length] ?? 0;
+}
+
+/**
+ * Media by what was typed: names and ids that begin so, then words, then what holds it anywhere, and
+ * where nothing does what is spelled nearly so.
+ * @template {Pick<Material, 'id' | 'name' | 'category'>} M
+ * @param {readonly M[]} materials
+ * @param {string} text
+ * @returns {M[]}
+ */
+export function matching(materials, text) {
+  const asked = text.trim().toLowerCase();
+  if (asked === "") return [...materials];
+  /** @param {M} material */
+  const rank = ({ id, name, category }) => {
+    const [own, called] = [id.toLowerCase(), name.toLowerCase()];
+    if (own === asked || called === asked) return 0;
+    if (called.startsWith(asked)) return 1;
+    if (own.startsWith(asked)) return 2;
+    if (called.split(/[\s,()]+/).some((word) => word.startsWith(asked))) return 3;
+    if (called.includes(asked) || own.includes(asked)) return 4;
+    return category.startsWith(asked) ? 5 : 9;
+  };
+  const ranked = materials.map((m) => ({ m, rank: rank(m) })).filter((r) => r.rank < 9);
+  if (ranked.length > 0) return ranked.sort((a, b) => a.rank - b.rank).map((r) => r.m);
+  const near = materials
+    .map((m) => {
+      const words = [m.id, ...m.name.split(/[\s,()]+/)].map((w) => w.toLowerCase());
+      return { m, far: Math.min(...words.map((word) => distance(asked, word))) };
+    })
+    .filter(({ far }) => far <= Math.min(MOST_TYPOS, asked.length - 2));
+  return near.sort((a, b) => a.far - b.far).map(({ m }) => m);
+}
+
+/**
+ * @param {object} options
+ * @param {string} options.label
+ * @param {readonly Material[]} options.materials
+ * @param {(material: Material) => string} options.groupOf
+ * @param {(material: Material) => string} options.note beside the name
+ * @param {(material: Material) => string} options.origin where the note comes from
+ * @param {(material: Material) => string | null} options.refusal why a medium cannot stand on this side
+ * @param {(id: string) => void} options.onPick
+ */
+export function createPicker({ label, materials, groupOf, note, origin, refusal, onPick }) {
+  pickers += 1;
+  const own = `media-${pickers}`;
+  const input = h("input", {
+    class: "preset",
+    type: "text",
+    role: "combobox",
+    autocomplete: "off",
+    spellcheck: "false",
+    placeholder: "own value",
+    "aria-label": label,
+    "aria-expanded": "false",
+    "aria-autocomplete": "list",
+    "aria-haspopup": "listbox",
+  });
+  const element = h("span", { class: "picker media-picker" }, input);
+  /** @type {HTMLElement | null} */
+  let list = null;
+  /** @type {Material[]} */
+  let found = [];
+  let active = -1;
+  /** @type {string | null} */
+  let chosen = null;
+
+  /** @param {string | null} id */
+  function written(id) {
+    const material = materials.find((m) => m.id === id);
+    return material ? `${material.name}\u2003${note(material)}` : "";
+  }
+
+  /** @param {Material} material @param {number} index */
+  function option(material, index) {
+    const why = refusal(material);
+    return h(
+      "li",
+      {
+        id: `${own}-${index}`,
+        role: "option",
+        "aria-selected": "false",
+        "aria-disabled": why === null ? null : "true",
+        "data-index": index,
+        "data-id": material.id,
+        title: why,
+      },
+      h("span", { class: "media-name" }, material.name),
+      h("span", { class: "note" }, `${note(material)} · ${origin(material)}`),
+    );
+  }
+
+  /** @param {string} text what is searched for; everything, in groups, where it is empty */
+  function open(text) {
+    const all = matching(materials, text);
+    const names = text.trim() === "" ? [...new Set(all.map(groupOf))] : [];
+    found = names.length ? names.flatMap((name) => all.filter((m) => groupOf(m) === name)) : all;
+    if (!list) {
+      list = h("ul", { class: "media-list", id: own, role: "listbox", "aria-label": "Media" });
+      // A press must not take the focus from the field.
+      list.addEventListener("pointerdown", (event) => event.preventDefault());
+      list.addEventListener("click", (event) => {
+        const row = /** @type {HTMLElement} */ (event.target).closest("li[data-index]");
+        if (row instanceof HTMLElement) take(Number(row.dataset.index));
+      });
+      element.append(list);
+      input.setAttribute("aria-expanded", "true");
+      input.setAttribute("aria-controls", own);
+    }
+    let index = 0;
+    const rows = names.map((name) => {
+      const members = found
+        .filter((m) => groupOf(m) === name)
+        .map((m) => {
+          index += 1;
+          return option(m, index - 1);
+        });
+      return h(
+        "li",
+        { role: "presentation" },
+        h(
+          "ul",
+          { role: "group", "aria-label": name },
+          h("li", { class: "media-group", role: "presentation" }, name),
+          ...members,
+        ),
+      );
+    });
+    list.replaceChildren(...(names.length ? rows : found.map(option)));
+    if (found.length === 0)
+      list.append(h("li", { class: "media-group", role: "presentation" }, "nothing is called so"));
+    activate(text.trim() === "" ? found.findIndex((m) => m.id === chosen) : 0);
+  }
+
+  function close() {
+    list?.remove();
+    list = null;
+    active = -1;
+    input.setAttribute("aria-expanded", "false");
+    input.removeAttribute("aria-controls");
+    input.removeAttribute("aria-activedescendant");
+    input.value = written(chosen);
+  }
+
+  /** @param {number} index */
+  function activate(index) {
+    const before = list?.querySelector(`[data-index="${active}"]`);
+    before?.setAttribute("aria-selected", "false");
+    active = found[index] ? index : -1;
+    const now = list?.querySelector(`[data-index="${active}"]`);
+    if (!now) {
+      input.removeAttribute("aria-activedescendant");
+      return;
+    }
+    now.setAttribute("aria-selected", "true");
+    input.setAttribute("aria-activedescendant", now.id);
+    now.scrollIntoView({ block: "nearest" });
+  }
+
+  /** @param {number} index */
+  function take(index) {
+    const material = found[index];
+    if (!material || refusal(material) !== null) return;
+    close();
+    onPick(material.id);
+    input.value = written(material.id);
+    input.select();
+  }
+
+  input.addEventListener("click", () => {
+    if (list) return;
+    input.select();
+    open("");
+  });
+  input.addEventListener("input", () => open(input.value));
+  input.addEventListener("blur", close);
+  input.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey) return;
+    const step = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10 }[event.key];
+    if (step !== undefined) {
+      event.preventDefault();
+      if (!list) open("");
+      else activate(Math.min(Math.max(active + step, 0), found.length - 1));
+    } else if (event.key === "Enter" && list) {
+      event.preventDefault();
+      take(active);
+    } else if (event.key === "Escape" && list) {
+      event.preventDefault();
+      close();
+      input.select();
+    }
+  });
+
+  return {
+    element,
+    /** @param {string | null} id */
+    show(id) {
+      if (id === chosen) return;
+      chosen = id;
+      if (!list) input.value = written(id);
+    },
+  };
+}

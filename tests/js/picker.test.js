@@ -1,0 +1,141 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { createConstants, isDispersive, knownRange, mediaAt } from "../../static/js/constants.js";
+import { distance, matching } from "../../static/js/controls/picker.js";
+import { sentence, spread } from "../../static/js/explore/dispersion.js";
+import { spreadPaths } from "../../static/js/explore/spread-paths.js";
+
+/** @param {string} id @param {object} [more] @returns {any} */
+const medium = (id, more = {}) => ({
+  id,
+  name: id,
+  category: "glass",
+  kind: "spectrum",
+  rival_of: null,
+  n: 1.5,
+  k: 0,
+  wavelength_nm: 587.6,
+  n_range_nm: [300, 2500],
+  ...more,
+});
+const MEDIA = [
+  medium("Au", { name: "Gold", category: "metal", n: 0.2, k: 3 }),
+  medium("Au-Johnson", { name: "Gold (Johnson)", category: "metal" }),
+  medium("BK7", { name: "N-BK7 (Schott)", k: 1e-8 }),
+  medium("diamond", { name: "Diamond", category: "crystal", n_range_nm: [225, 760] }),
+  medium("water-shirley", { name: "Water", category: "liquid", kind: "single", n: 1.333 }),
+];
+const STATE = {
+  incident: null,
+  material: "BK7",
+  n_i: 1,
+  n_t: 1.5,
+  k_t: 0,
+  wavelength_nm: null,
+  light: "white",
+  theta_i_deg: 45,
+  angle: "deg",
+};
+
+test("a medium is found by name, formula, word, category, and in spite of a typo", () => {
+  const ids = (/** @type {string} */ text) => matching(MEDIA, text).map((m) => m.id);
+  assert.deepEqual(ids("gold"), ["Au", "Au-Johnson"]);
+  assert.deepEqual(ids("au"), ["Au", "Au-Johnson"]);
+  assert.deepEqual(ids("johnson"), ["Au-Johnson"]);
+  assert.deepEqual(ids("metal"), ["Au", "Au-Johnson"]);
+  assert.deepEqual(ids("dimond"), ["diamond"]);
+  assert.deepEqual(ids("xyzzyx"), []);
+  assert.equal(ids("").length, MEDIA.length);
+  assert.equal(distance("dimond", "diamond"), 1);
+});
+
+test("only media with a spectrum are asked for at a wavelength", () => {
+  assert.ok(isDispersive(MEDIA[2]) && !isDispersive(MEDIA[4]) && !isDispersive(undefined));
+  assert.equal(mediaAt(MEDIA, STATE, null), null);
+  assert.equal(mediaAt(MEDIA, { ...STATE, material: "water-shirley" }, 500), null);
+  assert.deepEqual(mediaAt(MEDIA, { ...STATE, incident: "water-shirley", n_i: 1.333 }, 500), [
+    "n_i=1.333",
+    "material=BK7",
+    "wavelength_nm=500",
+  ]);
+  assert.deepEqual(knownRange(MEDIA, { ...STATE, incident: "diamond" }), [300, 760]);
+  assert.equal(knownRange(MEDIA, { ...STATE, material: null }), null);
+});
+
+test("indices at a wavelength are the server's; until it answers the last ones stay", () => {
+  /** @type {any} */
+  let how;
+  /** @type {string[]} */
+  const asked = [];
+  /** @type {unknown[]} */
+  const problems = [];
+  let changes = 0;
+  const constants = createConstants({
+    materials: MEDIA,
+    onChange: () => {
+      changes += 1;
+    },
+    onProblem: (problem) => problems.push(problem),
+    query: (given) => {
+      how = given;
+      return { request: (path) => asked.push(path) };
+    },
+  });
+  assert.deepEqual(constants.implied(STATE), { n_t: 1.5, k_t: 0 });
+  constants.follow(STATE);
+  assert.deepEqual(asked, []);
+  const violet = { ...STATE, wavelength_nm: 400 };
+  constants.follow(violet);
+  assert.deepEqual(asked, ["/snell?n_i=1&material=BK7&wavelength_nm=400&theta_i_deg=0"]);
+  assert.deepEqual(constants.implied(violet), { n_t: 1.5, k_t: 0 });
+  how.onAnswer({
+    interface: { incident: null, material: { id: "BK7", wavelength_nm: 400, n: 1.53, k: 1e-8 } },
+  });
+  assert.equal(changes, 1);
+  assert.deepEqual(constants.implied(violet), { n_t: 1.53, k_t: 0 });
+  constants.follow(violet);
+  assert.equal(asked.length, 1);
+  // Beyond what is known nothing is asked: the control says so.
+  constants.follow({ ...STATE, wavelength_nm: 100 });
+  assert.equal(asked.length, 1);
+  // What was refused is not asked again.
+  const red = { ...STATE, wavelength_nm: 700 };
+  constants.follow(red);
+  how.onProblem({ title: "no" });
+  constants.follow(red);
+  assert.equal(asked.length, 2);
+  assert.equal(problems.length, 1);
+  constants.follow(violet);
+  assert.equal(problems.at(-1), null);
+});
+
+test("white light is asked for at the wavelengths that the media are known at", () => {
+  assert.equal(Object.keys(spreadPaths(STATE, MEDIA)).length, 7);
+  const red = { ...STATE, material: "deep" };
+  const known = [medium("deep", { n_range_nm: [520, 640] })];
+  assert.deepEqual(Object.keys(spreadPaths(red, known)), ["white:550", "white:600"]);
+  assert.deepEqual(spreadPaths({ ...STATE, light: "one" }, MEDIA), {});
+  assert.deepEqual(spreadPaths({ ...STATE, material: null }, MEDIA), {});
+});
+
+test("rays are read from the curves of the media at hand", () => {
+  const curves = (/** @type {number} */ end) => ({
+    interface: { n_i: 1, incident: null, material: { id: "BK7" } },
+    theta_i_deg: [0, 90],
+    curves: [{ model: "exact", quantity: "theta_t_deg", values: [0, end] }],
+  });
+  const answers = { "white:400": curves(40), "white:700": curves(42) };
+  const rays = spread(STATE, MEDIA, answers);
+  assert.deepEqual(
+    rays.map((r) => [r.nm, r.theta_t_deg]),
+    [
+      [400, 20],
+      [700, 21],
+    ],
+  );
+  assert.match(sentence(rays, STATE, true), /400 nm at 20\.00°, 700 nm at 21\.00°: 1\.000° apart/);
+  assert.deepEqual(spread({ ...STATE, material: "diamond" }, MEDIA, answers), []);
+  const kept = rays.map((r) => ({ ...r, theta_t_deg: null }));
+  assert.match(sentence(kept, STATE, true), /totally reflected/);
+  assert.match(sentence([], STATE, false), /name a medium/);
+});
