@@ -3,20 +3,34 @@
 from __future__ import annotations
 
 from dataclasses import asdict
-from typing import Any
+from functools import lru_cache
+from typing import Annotated, Any
 
 import orjson
-from fastapi import APIRouter, Request
+from fastapi import APIRouter, Query, Request
+from pydantic import Field
 from starlette.responses import Response
 
+from app.api.params import QueryModel
 from app.api.problems import MissingResource
 from app.api.responses import json_response
 from app.api.route import QueryRoute
 from app.api.schemas import ModelOut, ModelsOut, ParametersOut
-from app.optics.errors import UnknownModel
+from app.optics.errors import NotAllowed, UnknownModel
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG
 from app.optics.registry import Model, Registry
 from app.ready import ReadyBody
+
+
+class ModelsQuery(QueryModel):
+    """What of the models."""
+
+    fields: str | None = Field(
+        None,
+        max_length=500,
+        description="Comma-separated names of what to send of each model; all unless given.",
+        examples=["id,title,parameters"],
+    )
 
 
 def describe(model: Model) -> dict[str, Any]:
@@ -43,14 +57,27 @@ def _for_ever(payload: dict[str, Any]) -> ReadyBody:
 def router(registry: Registry) -> APIRouter:
     """Routes over the models of `registry`."""
     routes = APIRouter(route_class=QueryRoute, tags=["models"])
-    every_model = _for_ever({"models": [describe(m) for m in registry.values()]})
+    described = [describe(model) for model in registry.values()]
+
+    @lru_cache(maxsize=8)
+    def every_model(fields: str | None) -> ReadyBody:
+        if fields is None:
+            return _for_ever({"models": described})
+        names = {name.strip() for name in fields.split(",")}
+        if not names <= set(ModelOut.model_fields):
+            allowed = f"names among {', '.join(ModelOut.model_fields)}"
+            raise NotAllowed("fields", fields, allowed)
+        return _for_ever(
+            {"models": [{k: v for k, v in row.items() if k in names} for row in described]}
+        )
+
     every_parameter = _for_ever(
         {"parameters": [asdict(parameter) for parameter in (N_I, N_T, K_T, THETA_I_DEG)]}
     )
 
     @routes.get("/models", response_model=ModelsOut, summary="All models")
-    async def models(request: Request) -> Response:
-        return every_model.response(request)
+    async def models(request: Request, query: Annotated[ModelsQuery, Query()]) -> Response:
+        return every_model(query.fields).response(request)
 
     @routes.get("/models/{model_id}", response_model=ModelOut, summary="One model")
     async def model(request: Request, model_id: str) -> Response:

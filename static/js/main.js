@@ -17,14 +17,17 @@ import { startWorker } from "./transport.js";
 
 /**
  * A further view is one line here and one file in views/.
- * @type {{id: string, title: string, load: () => Promise<ViewModule>}[]}
+ * @type {{id: string, title: string, load: () => Promise<ViewModule>, reads?: 'models'}[]}
  */
 const VIEWS = [
   { id: "explore", title: "Explore", load: () => import("./views/explore.js") },
-  { id: "compare", title: "Compare", load: () => import("./views/compare.js") },
+  { id: "compare", title: "Compare", load: () => import("./views/compare.js"), reads: "models" },
   { id: "albedo", title: "Albedo", load: () => import("./views/albedo.js") },
   { id: "materials", title: "Materials", load: () => import("./views/materials.js") },
 ];
+
+/** What every picture needs of the models; the rest is fetched where it is read. */
+const MODELS = "/models?fields=id,title,kind,applies_to,parameters,validity";
 
 /** What all views know of every medium; index.html has it on its way before this script runs. */
 const MATERIALS = "/materials?fields=id,name,category,n,k,wavelength_nm,kind,rival_of,n_range_nm";
@@ -83,12 +86,17 @@ function byTable(materials) {
 async function fetchCatalog() {
   const [parameters, models, materials] = await Promise.all([
     load("/parameters"),
-    load("/models"),
+    load(MODELS),
     load(MATERIALS),
   ]);
   return {
     parameters: parameters.parameters,
-    models: models.models,
+    models: models.models.map((/** @type {object} */ m) => ({
+      latex: "",
+      reference: "",
+      cost: {},
+      ...m,
+    })),
     materials: byTable(materials.materials),
   };
 }
@@ -197,6 +205,27 @@ async function start() {
     return found;
   }
 
+  /** @type {Promise<void> | null} */
+  let described = null;
+
+  /** Formulas, sources and costs of the models, where they are to be read. */
+  function describe() {
+    described ??= load("/models").then(
+      ({ models }) => {
+        for (const model of catalog.models)
+          Object.assign(
+            model,
+            models.find((/** @type {{id: string}} */ m) => m.id === model.id),
+          );
+      },
+      (problem) => {
+        described = null;
+        shell.notice("server", { title: problem.title, lines: lines(problem) });
+      },
+    );
+    return described;
+  }
+
   function current() {
     return active === null ? undefined : opened.get(active);
   }
@@ -272,7 +301,7 @@ async function start() {
     if (!opened.has(id)) {
       const entry = VIEWS.find((v) => v.id === id);
       if (!entry) return;
-      const module = await entry.load();
+      const [module] = await Promise.all([entry.load(), entry.reads && describe()]);
       const fresh = module.fields(catalog);
       state.extend(fresh);
       for (const [key, field] of Object.entries(fresh)) presets[key] = field.default;
@@ -290,6 +319,7 @@ async function start() {
         actions,
         say: shell.say,
         save,
+        describe,
         typeset: async (latex, element) => (await import("./typeset.js")).typeset(latex, element),
       });
       opened.set(id, { module, view, host });

@@ -33,6 +33,7 @@
  * @property {{set: (patch: State, options?: {history?: 'push' | 'replace' | 'none'}) => void, settle: () => void}} actions
  * @property {(text: string) => void} say
  * @property {(name: string, blob: Blob) => void} save
+ * @property {() => Promise<void>} describe completes the models' formulas, sources and costs
  * @property {(latex: string, element: HTMLElement) => Promise<void>} typeset
  * @typedef {object} View
  * @property {(state: State, answers: Record<string, any>, moving: boolean) => void} update

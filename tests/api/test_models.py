@@ -68,6 +68,14 @@ def test_describes_each(ask: Ask, model_id: str) -> None:
     assert listed == answer.json()
 
 
+def test_sends_of_each_only_what_is_asked_for(ask: Ask) -> None:
+    rows = ask("/models", fields="id, title").json()["models"]
+    assert rows == [{"id": m.id, "title": m.title} for m in default_registry().values()]
+    refused = ask("/models", fields="id,size")
+    assert refused.status_code == 422
+    assert [error["parameter"] for error in refused.json()["errors"]] == ["fields"]
+
+
 @pytest.mark.parametrize(
     ("asked", "nearest"), [("exakt", "exact"), ("Schlick", "schlick"), ("wloka_eq", "wloka_eq6")]
 )

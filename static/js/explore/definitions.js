@@ -7,8 +7,9 @@ import { h } from "../dom.js";
 /**
  * @param {Model[]} models
  * @param {(latex: string, element: HTMLElement) => Promise<void>} typeset
+ * @param {() => Promise<void>} [describe] completes the models
  */
-export function createDefinitions(models, typeset) {
+export function createDefinitions(models, typeset, describe) {
   const list = h("div", { class: "definition-list" });
   const element = h(
     "details",
@@ -23,6 +24,7 @@ export function createDefinitions(models, typeset) {
   async function fill() {
     if (!element.open || shown === wanted.join()) return;
     shown = wanted.join();
+    await describe?.();
     const entries = models
       .filter((m) => wanted.includes(m.id))
       .map((model) => {

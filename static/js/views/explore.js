@@ -37,12 +37,22 @@ export function fields({ models }) {
 }
 
 /** @param {ViewContext} context */
-export function createView({ element, catalog, presets, state, actions, say, save, typeset }) {
+export function createView({
+  element,
+  catalog,
+  presets,
+  state,
+  actions,
+  say,
+  save,
+  describe,
+  typeset,
+}) {
   const controls = createControls({ catalog, presets, state, actions });
   const numbers = createNumbers(say);
   const split = createSplit();
   const whitePlace = h("div", { hidden: true });
-  const definitions = createDefinitions(catalog.models, typeset);
+  const definitions = createDefinitions(catalog.models, typeset, describe);
   const diagramFrame = h("div", { class: "frame" });
   const diagramHost = h("div", { class: "diagram-host" }, diagramFrame);
   const plotFrame = h("div", { class: "frame" });
