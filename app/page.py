@@ -9,8 +9,7 @@ from mimetypes import guess_type
 from pathlib import Path
 from typing import Any
 
-import rcssmin
-import rjsmin
+import minify
 from starlette.datastructures import MutableHeaders
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
@@ -75,7 +74,7 @@ class SecurityHeaders:
 # What compression gains nothing on is left to the file system.
 _TEXT = {".css", ".html", ".js", ".json", ".svg", ".txt"}
 
-_MINIFIERS = {".js": rjsmin.jsmin, ".css": rcssmin.cssmin}
+_MINIFIED = {".js": "application/javascript", ".css": "text/css"}
 
 
 class Page(StaticFiles):
@@ -118,8 +117,7 @@ def _ready(path: Path, _mtime_ns: int, vendored: bool) -> ReadyBody:
     The comments are a third of the scripts; who wants to read them reads the sources.
     """
     body = path.read_bytes()
-    minify = None if vendored else _MINIFIERS.get(path.suffix)
-    if minify is not None:
-        body = minify(body.decode()).encode()
+    if not vendored and path.suffix in _MINIFIED:
+        body = minify.string(_MINIFIED[path.suffix], body.decode()).encode()
     media_type = guess_type(path.name)[0] or "text/plain"
     return ReadyBody(body, media_type, effort="thorough")
