@@ -55,7 +55,8 @@ def server_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         port = probe.getsockname()[1]
     url = f"http://127.0.0.1:{port}"
     log = tmp_path_factory.mktemp("server") / "server.log"
-    arguments = ["app.main:create_app", "--factory", "--port", str(port), "--log-level", "warning"]
+    arguments = ["app.main:create_app", "--factory", "--port", str(port)]
+    arguments += ["--log-level", "warning", "--no-server-header"]  # as the program does
     with (
         log.open("wb") as output,
         subprocess.Popen(
