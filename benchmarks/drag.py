@@ -15,7 +15,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from playwright.async_api import Browser, CDPSession, Page, Response, async_playwright
+from playwright.async_api import Browser, Page, Response, async_playwright
 
 from benchmarks.curves import served
 
@@ -41,7 +41,7 @@ COUNTER = """() => {
   };
   watch('curves', '.plot-canvas path.js-line', 'd');
   watch('ray', '.ray-incident .ray-shaft', 'x1');
-  window.drawnFrames = {read: () => ({...drawn})};
+  window.drawnFrames = {read: () => ({...drawn, seconds: performance.now() / 1000})};
 }"""
 
 PAINT = """() => {
@@ -105,8 +105,12 @@ async def first_load(browser: Browser, url: str) -> tuple[Load, float]:
     return load, float(shown)
 
 
-async def drag(session: CDPSession, at: Callable[[float], tuple[float, float]]) -> None:
-    """Hold the mouse down and move it as a hand would, without waiting for the page."""
+async def drag(page: Page, at: Callable[[float], tuple[float, float]]) -> dict[str, float]:
+    """Hold the mouse down and move it as a hand would, without waiting for the page.
+
+    Gives the frames a second by the page's own clock, from the first move to the last.
+    """
+    session = await page.context.new_cdp_session(page)
 
     def event(kind: str, x: float, y: float) -> asyncio.Task[object]:
         held = {"button": "left", "buttons": 1, "clickCount": 1}
@@ -114,29 +118,22 @@ async def drag(session: CDPSession, at: Callable[[float], tuple[float, float]]) 
         return asyncio.ensure_future(session.send("Input.dispatchMouseEvent", values))
 
     await event("mousePressed", *at(0.0))
+    before = await page.evaluate("() => window.drawnFrames.read()")
     start = time.perf_counter()
     pending: list[asyncio.Task[object]] = []
     while (elapsed := time.perf_counter() - start) < SECONDS:
         pending.append(event("mouseMoved", *at(elapsed)))
         await asyncio.sleep(1 / MOVES_PER_SECOND)
+    after = await page.evaluate("() => window.drawnFrames.read()")
     await asyncio.gather(*pending)
     await event("mouseReleased", *at(SECONDS))
+    seconds = after["seconds"] - before["seconds"]
+    return {key: (after[key] - before[key]) / seconds for key in ("curves", "ray")}
 
 
 def swing(elapsed: float) -> float:
     """Go from 0 to 1 and back, smoothly."""
     return 0.5 - 0.5 * math.cos(2 * math.pi * SWEEPS_PER_SECOND * elapsed)
-
-
-async def measured(page: Page, at: Callable[[float], tuple[float, float]]) -> dict[str, float]:
-    """Frames a second during one drag."""
-    session = await page.context.new_cdp_session(page)
-    before = await page.evaluate("() => window.drawnFrames.read()")
-    start = time.perf_counter()
-    await drag(session, at)
-    elapsed = time.perf_counter() - start
-    after = await page.evaluate("() => window.drawnFrames.read()")
-    return {key: (after[key] - before[key]) / elapsed for key in before}
 
 
 async def drags(browser: Browser, url: str) -> dict[str, dict[str, float]]:
@@ -146,7 +143,7 @@ async def drags(browser: Browser, url: str) -> dict[str, dict[str, float]]:
     page.on("response", lambda answer: answers.append(answer))
     await page.goto(url)
     await page.wait_for_function(PAINT)
-    await page.wait_for_timeout(1000)
+    await page.wait_for_timeout(2000)  # until the page rests
     await page.evaluate(COUNTER)
 
     slider = await page.locator("#n_t-slider").bounding_box()
@@ -159,7 +156,7 @@ async def drags(browser: Browser, url: str) -> dict[str, dict[str, float]]:
         return left + width * (0.27 + 0.6 * swing(elapsed)), middle
 
     answers.clear()
-    n_t = await measured(page, on_slider)
+    n_t = await drag(page, on_slider)
     n_t["answers"] = len([answer for answer in answers if "/curves" in answer.url]) / SECONDS
     await page.wait_for_timeout(500)
 
@@ -175,7 +172,7 @@ async def drags(browser: Browser, url: str) -> dict[str, dict[str, float]]:
         theta = first + (math.radians(15) - first) * swing(elapsed)
         return x - radius * math.sin(theta), y - radius * math.cos(theta)
 
-    theta_i = await measured(page, on_arc)
+    theta_i = await drag(page, on_arc)
     await page.close()
     return {"n_t": n_t, "theta_i": theta_i}
 

@@ -4,7 +4,7 @@
 /** @typedef {(url: string, signal?: AbortSignal) => Promise<Answer>} Transport */
 
 /** The worker starts when the page stands: it is for what moves, and would slow down what loads. */
-const START_AFTER = 1500;
+const START_AFTER = 800;
 
 /** @type {Transport} */
 async function direct(url, signal) {
