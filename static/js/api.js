@@ -52,7 +52,7 @@ export async function load(path, signal) {
  * A question that is asked again and again while something moves: one request is in flight, of those
  * that wait only the newest is kept, and a request that is slow while a newer one waits is aborted.
  * @param {object} options
- * @param {(data: any) => void} options.onAnswer
+ * @param {(data: any, path: string) => void} options.onAnswer
  * @param {(problem: Problem) => void} options.onProblem
  * @param {(busy: boolean) => void} [options.onBusy]
  * @param {(path: string, signal?: AbortSignal) => Promise<any>} [options.get]
@@ -83,7 +83,7 @@ export function createQuery({
       const data = await get(path, own.abort.signal);
       if (flight !== own) return;
       answered = path;
-      onAnswer(data);
+      onAnswer(data, path);
     } catch (error) {
       if (flight !== own) return;
       // A newer question waits: what went wrong with this one is of no interest.

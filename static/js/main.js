@@ -174,8 +174,9 @@ async function start() {
     let found = runners.get(name);
     if (!found) {
       found = createQuery({
-        onAnswer(data) {
-          answers = { ...answers, [name]: data };
+        onAnswer(data, path) {
+          // `asked` tells a view which question each answer belongs to.
+          answers = { ...answers, [name]: data, asked: { ...answers.asked, [name]: path } };
           broken.delete(name);
           if (broken.size === 0) shell.notice("server", null);
           schedule();

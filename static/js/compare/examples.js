@@ -116,8 +116,8 @@ export function createExamples({ presets, actions }) {
 
   return {
     element,
-    /** @param {State} state @param {Record<string, any>} answers @param {boolean} settled whether the answers are those of this state */
-    update(state, answers, settled) {
+    /** @param {State} state @param {Record<string, any>} answers those of this state @param {boolean} moving */
+    update(state, answers, moving) {
       for (const { example, button } of buttons) {
         const on = example.id === state.example;
         button.setAttribute("aria-pressed", String(on));
@@ -153,7 +153,7 @@ export function createExamples({ presets, actions }) {
         caption.dataset.example = example.id;
         return;
       }
-      if (!settled && caption.dataset.example === example.id) return;
+      if (moving && caption.dataset.example === example.id) return;
       caption.dataset.example = example.id;
       const pieces = example.measured.map((piece) =>
         typeof piece === "string"

@@ -8,6 +8,7 @@ import { compareFields, isMap } from "../compare/fields.js";
 import { createFigure } from "../compare/figure.js";
 import { short } from "../compare/metrics.js";
 import { createPlots } from "../compare/plots.js";
+import { later, queries, restCalls } from "../compare/queries.js";
 import { createRecommend } from "../compare/recommend.js";
 import { createTable } from "../compare/table.js";
 import { h } from "../dom.js";
@@ -15,7 +16,7 @@ import { createDefinitions } from "../explore/definitions.js";
 import { angle } from "../format.js";
 import { loadStyle } from "../style.js";
 
-export { later, queries, restCalls } from "../compare/queries.js";
+export { later, queries, restCalls };
 export const fields = compareFields;
 
 /**
@@ -87,8 +88,9 @@ export function createView({ element, catalog, presets, state, actions, say, sav
       );
       controls.update(now, reasons, solvedOf(answers.errors));
       definitions.update(now.against);
-      const stale = moving || (now.against.length > 0 && !isOf(errors?.interface, now));
-      examples.update(now, answers, !stale);
+      const fresh = freshOf(answers, { ...queries(now, catalog), ...later(now, catalog) });
+      const stale = moving || (now.against.length > 0 && !fresh.errors);
+      examples.update(now, fresh, moving);
       clearTimeout(settling);
       const map = isMap(now.over) && !moving;
       plots.update(now, answers, moving || map);
@@ -170,7 +172,15 @@ function solvedOf(errors) {
   );
 }
 
-/** @param {{n_i: number, n_t: number, k_t: number} | undefined} media @param {State} now */
-function isOf(media, now) {
-  return media?.n_i === now.n_i && media?.n_t === now.n_t && media?.k_t === now.k_t;
+/**
+ * The answers to the questions of this very state.
+ * @param {Record<string, any>} answers
+ * @param {Record<string, string>} wanted paths by name
+ */
+function freshOf(answers, wanted) {
+  return Object.fromEntries(
+    Object.entries(wanted)
+      .filter(([name, path]) => answers.asked?.[name] === path)
+      .map(([name]) => [name, answers[name]]),
+  );
 }

@@ -1,0 +1,325 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { matches } from "../../static/js/compare/chooser.js";
+import { convertPath, filled, printValue, texts } from "../../static/js/compare/conversions.js";
+import { measured } from "../../static/js/compare/examples.js";
+import { compareFields, focused, ranges } from "../../static/js/compare/fields.js";
+import { COLUMNS, printCost, short, sorted } from "../../static/js/compare/metrics.js";
+import { later, queries, restCalls } from "../../static/js/compare/queries.js";
+import { curveTraces, distinct, errorRange, errorTraces } from "../../static/js/compare/traces.js";
+import { EXAMPLES, shows, stateOf } from "../../static/js/examples.js";
+import { parameterFields, parameterQuery } from "../../static/js/model-parameters.js";
+import { createState } from "../../static/js/state.js";
+
+/** @typedef {import("../../static/js/types.js").Parameter} Parameter */
+/** @typedef {import("../../static/js/types.js").Model} Model */
+/** @typedef {import("../../static/js/types.js").Catalog} Catalog */
+
+/** @param {string} name @param {Partial<Parameter>} rest @returns {Parameter} */
+const parameter = (name, rest = {}) => ({
+  name,
+  symbol: name,
+  default: null,
+  minimum: 0,
+  maximum: 1,
+  unit: "",
+  description: "",
+  ...rest,
+});
+
+/** @param {string} id @param {Partial<Model>} rest @returns {Model} */
+const model = (id, rest = {}) => ({
+  id,
+  title: id,
+  kind: "approximation",
+  applies_to: ["dielectric"],
+  parameters: [],
+  latex: "",
+  reference: "",
+  validity: "",
+  cost: {},
+  ...rest,
+});
+
+const MODELS = [
+  model("exact", { kind: "exact" }),
+  model("lut_1d", {
+    parameters: [
+      parameter("size", { default: 256, minimum: 2, maximum: 4096, integer: true }),
+      parameter("filtering", {
+        default: 1,
+        choices: [
+          ["nearest", 0],
+          ["linear", 1],
+        ],
+      }),
+    ],
+  }),
+  model("one_minus_cos"),
+  model("schlick", { title: "Schlick", reference: "C. Schlick 1994" }),
+  model("spherical_gaussian", { parameters: [parameter("F0", { triple: true })] }),
+];
+/** @type {Catalog} */
+const CATALOG = {
+  models: MODELS,
+  materials: [],
+  parameters: [
+    parameter("n_i", { default: 1, minimum: 1e-3, maximum: 100 }),
+    parameter("n_t", { default: 1.5, minimum: 1e-3, maximum: 100 }),
+    parameter("k_t", { default: 0, maximum: 100 }),
+  ],
+};
+
+/** @param {Record<string, any>} patch @returns {Record<string, any>} */
+function stateWith(patch = {}) {
+  const fields = compareFields(CATALOG);
+  return {
+    n_i: 1,
+    n_t: 1.5,
+    k_t: 0,
+    angle: "deg",
+    theta_i_deg: 64,
+    ...Object.fromEntries(Object.entries(fields).map(([key, field]) => [key, field.default])),
+    ...patch,
+  };
+}
+
+/** @param {string} model @param {(number | null)[]} values @param {string} [quantity] */
+const curve = (model, values, quantity = "R") => ({ model, quantity, values });
+/** @param {number} n_t @param {ReturnType<typeof curve>[]} all @returns {any} */
+const curves = (n_t, ...all) => ({
+  interface: { n_i: 1, n_t, k_t: 0, F0: 0.04 },
+  theta_i_deg: [0, 45, 90],
+  curves: all,
+});
+
+test("an empty choice of models is said in the link, and the default is not", () => {
+  const state = createState(compareFields(CATALOG));
+  assert.equal(state.toQuery(), "");
+  assert.deepEqual(state.get().against, ["schlick", "spherical_gaussian"]);
+  state.set({ against: Object.freeze([]) }, { history: "none" });
+  assert.equal(state.toQuery(), "against=none");
+  assert.deepEqual(state.fromQuery("?against=none&family=1.3,2"), []);
+  assert.deepEqual(state.get().against, []);
+  assert.deepEqual(state.get().family, [1.3, 2]);
+  assert.equal(state.fromQuery("?against=schlick,nobody&family=0&over=space").length, 3);
+});
+
+test("a model's own parameters: whole numbers, words and triples, and only those that differ", () => {
+  const fields = parameterFields(MODELS);
+  assert.equal(fields["lut_1d.filtering"]?.default, "linear");
+  assert.throws(() => fields["lut_1d.size"]?.parse("2.5"), /whole/);
+  assert.throws(() => fields["spherical_gaussian.F0"]?.parse("1,2,3"), /0 to 1/);
+  assert.throws(() => fields["spherical_gaussian.F0"]?.parse("0.1,0.2"), /three/);
+  assert.deepEqual(fields["spherical_gaussian.F0"]?.parse("1,0.5,0"), [1, 0.5, 0]);
+  const state = stateWith({ "lut_1d.size": 16, "spherical_gaussian.F0": [1, 0.5, 0] });
+  assert.deepEqual(parameterQuery(state, MODELS, ["lut_1d", "schlick"]), ["lut_1d.size=16"]);
+  assert.deepEqual(parameterQuery(state, MODELS, ["spherical_gaussian"]), [
+    "spherical_gaussian.F0=1,0.5,0",
+  ]);
+});
+
+test("while something moves only curves are asked for, and slow questions come last", () => {
+  const state = stateWith({ n_t: 2, family: [3], over: "theta-n" });
+  assert.deepEqual(Object.keys(queries(state, CATALOG, true)), ["curves", "curves@3"]);
+  const { map, curves: path } = queries(state, CATALOG, false);
+  assert.match(
+    path ?? "",
+    /^\/curves\?n_t=2&models=exact,schlick,spherical_gaussian&landmarks=true$/,
+  );
+  assert.match(map ?? "", /x=theta_i_deg&.*x_steps=181&y=n_t&.*y_steps=121&metric=error&digits=4/);
+  assert.doesNotMatch(map ?? "", /[?&]n_t=/);
+  assert.deepEqual(Object.keys(later(state, CATALOG)), [
+    "errors",
+    "errors@3",
+    "convert",
+    "recommend",
+  ]);
+  const swept = later(stateWith({ over: "k" }), CATALOG);
+  assert.match(swept["sweep:schlick"] ?? "", /over=k_t&minimum=0&maximum=5&steps=201$/);
+  assert.ok(restCalls(state, CATALOG).every((p) => p.startsWith("/")));
+});
+
+test("a model with three values of a parameter has curves but no sweep and no map", () => {
+  const state = stateWith({ "spherical_gaussian.F0": [1, 0.5, 0], focus: "spherical_gaussian" });
+  assert.ok(!("sweep:spherical_gaussian" in later(state, CATALOG)));
+  assert.ok(!("map" in queries({ ...state, over: "n-k" }, CATALOG)));
+});
+
+test("the figure's ranges follow the media unless they are set", () => {
+  assert.deepEqual(ranges(stateWith()).n, [1.05, 3.05]);
+  assert.deepEqual(ranges(stateWith({ n_t: 4 })).n, [1.05, 5]);
+  assert.deepEqual(ranges(stateWith({ k_t: 2 })).n, [0.1, 5]);
+  assert.deepEqual(ranges(stateWith({ n_i: 1.5, n_t: 1 })).n, [0.45, 1.5]);
+  assert.deepEqual(ranges(stateWith({ n_low: 2, n_high: 1.2 })).n, [1.2, 2]);
+  assert.equal(focused(stateWith({ focus: "lut_1d" })), "schlick");
+});
+
+test("errors are model minus exact, or that over exact, null where exact is 0", () => {
+  const traces = curveTraces(
+    curves(1.5, curve("exact", [0, 0.1, 1]), curve("schlick", [0.01, 0.2, 1])),
+    ["schlick"],
+    MODELS,
+    (d) => d,
+  );
+  assert.deepEqual(
+    errorTraces(traces, false).map((t) => [t.id, t.y]),
+    [
+      ["exact", [0, 0, 0]],
+      ["schlick", [0.01, 0.1, 0]],
+    ],
+  );
+  assert.deepEqual(errorTraces(traces, true)[1]?.y, [null, 1, 0]);
+  const [low, high] = errorRange(errorTraces(traces, false));
+  assert.ok(low <= 0 && high >= 0.1 && high <= 0.15);
+  assert.deepEqual(errorRange([]), [-0.1, 0.1]);
+});
+
+test("a family adds curves, and a model that knows no index adds none, yet has its error", () => {
+  const water = curves(1.33, curve("exact", [0.02, 0.03, 1]), curve("one_minus_cos", [0, 0.3, 1]));
+  const diamond = curves(
+    2.417,
+    curve("exact", [0.17, 0.2, 1]),
+    curve("one_minus_cos", [0, 0.3, 1]),
+  );
+  const traces = curveTraces(water, ["one_minus_cos"], MODELS, (d) => d, [
+    { n: 2.417, curves: diamond },
+  ]);
+  assert.deepEqual(
+    distinct(traces).map((t) => t.id),
+    ["exact", "one_minus_cos", "exact@2.417"],
+  );
+  const errors = errorTraces(traces, false);
+  assert.equal(errors.find((t) => t.id === "one_minus_cos@2.417")?.y[0], -0.17);
+});
+
+test("a triple gives a curve for each channel", () => {
+  const traces = curveTraces(
+    curves(
+      1.5,
+      curve("exact", [0, 0, 1]),
+      curve("schlick", [1, 1, 1], "R_red"),
+      curve("schlick", [0, 0, 1], "R_blue"),
+    ),
+    ["schlick"],
+    MODELS,
+    (d) => d,
+  );
+  assert.deepEqual(
+    traces.map((t) => [t.id, t.label, t.color]),
+    [
+      ["exact", "exact", "--R"],
+      ["schlick.R_red", "Schlick R", "--red"],
+      ["schlick.R_blue", "Schlick B", "--blue"],
+    ],
+  );
+});
+
+test("the table sorts by size, what is unknown last, costs by the server's weights", () => {
+  /** @param {string} id @param {Partial<import("../../static/js/compare/metrics.js").Row>} rest @returns {any} */
+  const row = (id, rest) => ({ model: id, quantity: "R", in_domain: true, reason: null, ...rest });
+  const rows = [
+    row("a", { rms: 0.2, cosine_weighted_mean: -0.3 }),
+    row("b", { rms: null, cosine_weighted_mean: null }),
+    row("c", { rms: 0.1, cosine_weighted_mean: 0.2 }),
+  ];
+  const setting = {
+    unit: /** @type {const} */ ("deg"),
+    titles: new Map([["a", "Zed"]]),
+    costs: new Map(),
+    prices: new Map([
+      ["a", 9],
+      ["b", 1],
+      ["c", 4],
+    ]),
+  };
+  /** @param {string} by @param {'up' | 'down'} order */
+  const ids = (by, order) => sorted(rows, by, order, setting).map((r) => r.model);
+  assert.deepEqual(ids("rms", "up"), ["c", "a", "b"]);
+  assert.deepEqual(ids("rms", "down"), ["a", "c", "b"]);
+  assert.deepEqual(ids("cosine_weighted_mean", "down"), ["a", "c", "b"]);
+  assert.deepEqual(ids("cost", "up"), ["b", "c", "a"]);
+  assert.deepEqual(ids("model", "up"), ["b", "c", "a"]);
+  assert.ok(COLUMNS.some((c) => c.name === "max_relative"));
+});
+
+test("errors are written short, costs as counts", () => {
+  assert.equal(short(0.0356926), "0.0357");
+  assert.equal(short(-0.975), "−0.975");
+  assert.equal(short(null), "none");
+  assert.equal(short(0), "0");
+  assert.equal(printCost({ mul: 4, add: 2, div: 0, lookup: 1 }), "4× 2+ 1\u00a0texel");
+  assert.equal(printCost({}), "0");
+});
+
+test("a search finds words in any order, in the title and in the reference", () => {
+  const schlick = /** @type {Model} */ (MODELS[3]);
+  assert.ok(matches(schlick, "1994 schlick"));
+  assert.ok(!matches(schlick, "schlick 2005"));
+});
+
+test("each example is a state of its own that the page recognizes", () => {
+  const presets = stateWith();
+  assert.equal(new Set(EXAMPLES.map((e) => e.id)).size, EXAMPLES.length);
+  for (const example of EXAMPLES) {
+    const state = { ...presets, ...stateOf(example, presets) };
+    assert.equal(state.example, example.id);
+    assert.ok(shows(stateOf(example, presets), state));
+    assert.ok(shows(stateOf(example, presets), { ...state, over: "n-k" }));
+    assert.ok(!shows(stateOf(example, presets), { ...state, n_t: 7 }));
+    assert.ok(
+      example.measured.some((piece) => typeof piece !== "string"),
+      example.id,
+    );
+    // No figure is typed where one is measured: digits in the text are the interface's.
+    const typed = example.measured.filter((piece) => typeof piece === "string").join("");
+    assert.doesNotMatch(typed, /0\.0\d|%/, example.id);
+  }
+});
+
+test("measured figures come from the answers, and are missing until those are there", () => {
+  const answers = {
+    errors: { errors: [{ model: "schlick", max_abs: 0.0357, max_abs_at_deg: 84.97 }] },
+    "sweep:schlick": {
+      model: "schlick",
+      over: "n_t",
+      values: [1, 1.5, 2, 2.5],
+      max_relative: [9, 0.2, 0.3, 5],
+    },
+    curves: curves(1.5, curve("exact", [0, 0.1, 1]), curve("exact", [0, 0.3, 1], "Rs")),
+    recommend: { models: [], refused: [{ model: "lazanyi2005", parameters: { alpha: 7.70539 } }] },
+  };
+  /** @param {any} figure */
+  const at = (figure) => measured(figure, answers);
+  assert.equal(at({ of: "errors", model: "schlick", metric: "max_abs" }), "0.0357");
+  assert.equal(at({ of: "errors", model: "schlick", metric: "max_abs_at_deg" }), "85.0°");
+  assert.equal(at({ of: "errors", model: "schlick", metric: "max_abs", n: 3 }), null);
+  assert.equal(at({ of: "errors", metric: "F0" }), "4.0\u00a0%");
+  assert.equal(
+    at({ of: "sweep", model: "schlick", metric: "max_relative", within: [1.5, 2] }),
+    "30.0\u00a0%",
+  );
+  assert.equal(at({ of: "split" }), "0.200");
+  assert.equal(at({ of: "solved", model: "lazanyi2005", metric: "alpha" }), "7.7054");
+});
+
+test("what is converted follows the media, the boxes and the picture's color", () => {
+  assert.equal(convertPath(stateWith()), "/convert?from=ior&n_t=1.5");
+  assert.equal(convertPath(stateWith({ k_t: 2 })), "/convert?from=nk&n_t=1.5&k_t=2");
+  assert.equal(
+    convertPath(stateWith({ from: "hex", given: "#FFE29b", n_i: 1.33 })),
+    "/convert?from=f0_srgb&hex=FFE29b&n_i=1.33",
+  );
+  assert.equal(
+    convertPath(stateWith({ from: "rg", given: "0.9, 0.8,0.7;0.5", seen_from: 1.5 })),
+    "/convert?from=rg&r=0.9,0.8,0.7&g=0.5&seen_from=1.5",
+  );
+  assert.deepEqual(texts({ from: "nk", given: null }), ["0.27", "2.9"]);
+  assert.equal(printValue([1, null, 0.5]), "1, none, 0.5000");
+  const results = [
+    { form: "nk", title: "", status: "exact", why: "", values: { n_t: 0.123456789, k_t: 3 } },
+    { form: "rg", title: "", status: "infeasible", why: "", values: { r: 0.9, g: null } },
+  ];
+  assert.equal(filled("nk", results), "0.123457;3");
+  assert.equal(filled("rg", results), null);
+});
