@@ -198,7 +198,9 @@ def test_a_link_reproduces_the_view(quiet_page: Page) -> None:
 def test_back_and_forward(quiet_page: Page) -> None:
     page = opened(quiet_page)
     type_into(page, "n_t", "2")
+    page.wait_for_url("**n_t=2*")
     type_into(page, "theta_i_deg", "10")
+    page.wait_for_url("**theta_i_deg=10*")
     page.go_back()
     expect(box(page, "theta_i_deg")).to_have_value("64°")
     expect(box(page, "n_t")).to_have_value("2")
