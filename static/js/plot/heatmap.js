@@ -277,18 +277,18 @@ export function createHeatmap(element, options) {
       return;
     }
     const far = event.shiftKey ? 10 : 1;
-    const [dx, dy] =
-      {
-        ArrowRight: [far, 0],
-        ArrowLeft: [-far, 0],
-        ArrowUp: [0, far],
-        ArrowDown: [0, -far],
-        PageUp: [0, 10],
-        PageDown: [0, -10],
-        Home: [-grid.x.length, 0],
-        End: [grid.x.length, 0],
-      }[event.key] ?? [];
-    if (dx === undefined || dy === undefined) return;
+    const step = {
+      ArrowRight: [far, 0],
+      ArrowLeft: [-far, 0],
+      ArrowUp: [0, far],
+      ArrowDown: [0, -far],
+      PageUp: [0, 10],
+      PageDown: [0, -10],
+      Home: [-grid.x.length, 0],
+      End: [grid.x.length, 0],
+    }[event.key];
+    if (!step) return;
+    const [dx = 0, dy = 0] = step;
     event.preventDefault();
     probe = {
       column: Math.min(Math.max(at.column + dx, 0), grid.x.length - 1),
