@@ -74,7 +74,8 @@ class SecurityHeaders:
 # What compression gains nothing on is left to the file system.
 _TEXT = {".css", ".html", ".js", ".json", ".svg", ".txt"}
 
-_MINIFIED = {".js": "application/javascript", ".css": "text/css"}
+# Scripts stay as they are: a minifier moved declarations behind their use.
+_MINIFIED = {".css": "text/css"}
 
 
 class Page(StaticFiles):
@@ -112,10 +113,7 @@ class Page(StaticFiles):
 
 @lru_cache(maxsize=512)
 def _ready(path: Path, _mtime_ns: int, vendored: bool) -> ReadyBody:
-    """A text file to be sent, our own scripts and styles without their comments.
-
-    The comments are a third of the scripts; who wants to read them reads the sources.
-    """
+    """A text file to be sent, our own styles without their comments."""
     body = path.read_bytes()
     if not vendored and path.suffix in _MINIFIED:
         body = minify.string(_MINIFIED[path.suffix], body.decode()).encode()
