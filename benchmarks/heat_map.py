@@ -6,7 +6,7 @@ import asyncio
 import os
 import statistics
 
-from playwright.async_api import Browser, async_playwright
+from playwright.async_api import Browser, Response, async_playwright
 
 from benchmarks.curves import served
 from benchmarks.drag import find_browser
@@ -17,7 +17,7 @@ VIEW = "?view=compare&k_t=1&over=theta-n&against=schlick,spherical_gaussian,gene
 
 WATCH = """() => {
   const picture = () => document.querySelector('.heatmap .heatmaplayer image');
-  window.heatMap = {times: [], sent: 0};
+  window.heatMap = {times: []};
   let last = picture().getAttribute('xlink:href') ?? picture().getAttribute('href');
   const slider = document.querySelector('#compare-k_t-slider');
   slider.addEventListener('change', () => {
@@ -32,16 +32,14 @@ WATCH = """() => {
     };
     look();
   }, {capture: true});
-  new PerformanceObserver((list) => {
-    for (const entry of list.getEntries())
-      if (entry.name.includes('/errors/map')) window.heatMap.sent = entry.encodedBodySize;
-  }).observe({type: 'resource'});
 }"""
 
 
 async def redraws(browser: Browser, url: str) -> tuple[list[float], int]:
     """Drag `k_t` and let go, many times; ms until the map has changed, and the answer's bytes."""
     page = await browser.new_page(viewport={"width": 1440, "height": 900})
+    answers: list[Response] = []
+    page.on("response", lambda one: answers.append(one) if "/errors/map" in one.url else None)
     await page.goto(url + VIEW)
     await page.locator(".heatmap .heatmaplayer image").wait_for(state="attached")
     await page.wait_for_timeout(1000)
@@ -60,9 +58,10 @@ async def redraws(browser: Browser, url: str) -> tuple[list[float], int]:
         await page.mouse.up()
         await page.wait_for_function(f"() => window.heatMap.times.length > {turn}")
         await page.wait_for_timeout(300)
-    result = await page.evaluate("() => window.heatMap")
+    times = await page.evaluate("() => window.heatMap.times")
+    sizes = await answers[0].request.sizes()
     await page.close()
-    return result["times"], result["sent"]
+    return times, sizes["responseBodySize"]
 
 
 async def run(port: int) -> None:

@@ -242,7 +242,8 @@ async function start() {
   const late = new Set();
 
   function askLater() {
-    while (busy.size === 0 && !state.moving()) {
+    // What has been answered is painted first.
+    while (frame === 0 && busy.size === 0 && !state.moving()) {
       const one = later.shift();
       if (!one) return;
       late.add(one[0]);
@@ -282,6 +283,7 @@ async function start() {
     if (!here) return;
     const now = state.get();
     here.view.update(now, answers, state.moving());
+    if (later.length) requestAnimationFrame(() => setTimeout(askLater));
     clearTimeout(speech);
     if (state.moving()) return;
     shell.showCalls(here.module.restCalls(now, catalog));

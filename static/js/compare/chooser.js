@@ -110,7 +110,7 @@ export function createChooser({ models, chosen, onChange }) {
     { type: "button", class: "quiet", onclick: () => onChange([]) },
     "clear",
   );
-  clear.setAttribute("aria-label", "Choose no model");
+  clear.setAttribute("aria-label", "clear the choice of models");
   const element = h(
     "div",
     { class: "chooser" },

@@ -128,7 +128,12 @@ export function createFigure({ parent, catalog, actions, save }) {
   const sweepHost = h("div", { class: "figure-host" });
   const mapHost = h("div", { class: "figure-host", hidden: true });
   const waiting = h("p", { class: "figure-note" });
-  const tableHost = h("div", { class: "plot-table" });
+  const tableHost = h("div", {
+    class: "plot-table",
+    tabindex: "0",
+    role: "region",
+    "aria-label": "Table of the error over the media",
+  });
   const dataTable = h(
     "details",
     { class: "definitions" },

@@ -74,7 +74,9 @@ export function createPlots({ parent, models, actions, save }) {
   kind.element.classList.add("unnamed");
   const upperHost = h("div", { class: "plot-host upper" });
   const lowerHost = h("div", { class: "plot-host lower" });
-  const tableHosts = [h("div", { class: "plot-table" }), h("div", { class: "plot-table" })];
+  const tableHosts = ["Table of the curves", "Table of the errors over the angle"].map((name) =>
+    h("div", { class: "plot-table", tabindex: "0", role: "region", "aria-label": name }),
+  );
   const dataTable = h(
     "details",
     { class: "definitions" },
@@ -230,7 +232,7 @@ export function createPlots({ parent, models, actions, save }) {
           );
         } else {
           upper.axes({
-            x: { ...angleAxis(state.angle), title: "" },
+            x: { ...angleAxis(state.angle), title: "", short: "θᵢ" },
             y: { title: "reflectance", range: upperRange(curves), labels: LABELS },
           });
           lower.axes({

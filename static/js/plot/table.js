@@ -47,7 +47,7 @@ export function fillTable(table, name, axis, traces) {
   };
   const head = table.createTHead().insertRow();
   heading(head, plainText(axis.title || axis.short || "x"), "col");
-  for (const trace of traces) heading(head, plainText(trace.label), "col");
+  for (const trace of traces) heading(head, plainText(trace.label || trace.id), "col");
   const body = table.createTBody();
   for (const index of rows) {
     const row = body.insertRow();
