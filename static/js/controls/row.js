@@ -152,7 +152,11 @@ export function createRow({
     box.toggleAttribute("aria-invalid", message !== "");
   }
 
+  /** What is being typed stays, whatever answers arrive meanwhile. */
+  let typing = false;
+
   function commit() {
+    typing = false;
     if (preset === null && box.value.trim() === "") {
       complain("");
       if (!left) onChange(null, false);
@@ -224,18 +228,24 @@ export function createRow({
     event.preventDefault();
     complain("");
     action();
-    if (inBox) box.value = write.print(value);
+    if (!inBox) return;
+    typing = false;
+    box.value = write.print(value);
   }
 
   box.addEventListener("keydown", (event) => {
     if (event.key === "Enter") commit();
     else if (event.key === "Escape") {
+      typing = false;
       complain("");
       box.value = left ? "" : write.print(value);
     } else key(event, true);
   });
   box.addEventListener("keyup", (event) => {
     if (/^(Arrow|Page)/.test(event.key)) onSettle();
+  });
+  box.addEventListener("input", () => {
+    typing = true;
   });
   box.addEventListener("change", commit);
   box.addEventListener("focus", () => box.select());
@@ -282,7 +292,8 @@ export function createRow({
     const text = left ? "" : write.print(value);
     // Rows are shown at every frame of a drag, and most have not changed: what is set is laid out again.
     const state = JSON.stringify([a, b, value, left, text, landmarks]);
-    if (document.activeElement !== box || !box.hasAttribute("aria-invalid")) {
+    const busy = typing || box.hasAttribute("aria-invalid");
+    if (document.activeElement !== box || !busy) {
       if (box.value !== text) box.value = text;
     }
     if (state === shown) return;
