@@ -9,7 +9,6 @@ from mimetypes import guess_type
 from pathlib import Path
 from typing import Any
 
-import minify
 from starlette.datastructures import MutableHeaders
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
@@ -74,9 +73,6 @@ class SecurityHeaders:
 # What compression gains nothing on is left to the file system.
 _TEXT = {".css", ".html", ".js", ".json", ".svg", ".txt"}
 
-# Scripts stay as they are: a minifier moved declarations behind their use.
-_MINIFIED = {".css": "text/css"}
-
 
 class Page(StaticFiles):
     """Static files: text is compressed once, vendored files never change under their path."""
@@ -104,7 +100,7 @@ class Page(StaticFiles):
         vendored = parts[0] == "vendor" and path.name != "manifest.json"
         cache_control = "public, max-age=31536000, immutable" if vendored else "no-cache"
         if path.suffix in _TEXT and status_code == 200:
-            ready = _ready(path, stat_result.st_mtime_ns, vendored)
+            ready = _ready(path, stat_result.st_mtime_ns)
             return ready.response(Request(scope), cache_control)
         response = super().file_response(full_path, stat_result, scope, status_code)
         response.headers["Cache-Control"] = cache_control
@@ -112,10 +108,7 @@ class Page(StaticFiles):
 
 
 @lru_cache(maxsize=512)
-def _ready(path: Path, _mtime_ns: int, vendored: bool) -> ReadyBody:
-    """A text file to be sent, our own styles without their comments."""
-    body = path.read_bytes()
-    if not vendored and path.suffix in _MINIFIED:
-        body = minify.string(_MINIFIED[path.suffix], body.decode()).encode()
+def _ready(path: Path, _mtime_ns: int) -> ReadyBody:
+    """A text file to be sent, read and compressed again when it has changed."""
     media_type = guess_type(path.name)[0] or "text/plain"
-    return ReadyBody(body, media_type, effort="thorough")
+    return ReadyBody(path.read_bytes(), media_type, effort="thorough")

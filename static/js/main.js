@@ -368,5 +368,4 @@ async function start() {
   schedule();
 }
 
-void start();
-startWorker();
+void start().then(startWorker);
