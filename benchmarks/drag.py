@@ -8,11 +8,8 @@ new was drawn do not count.
 from __future__ import annotations
 
 import asyncio
-import math
 import os
 import shutil
-import time
-from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from playwright.async_api import Browser, Page, Response, async_playwright
@@ -21,8 +18,6 @@ from benchmarks.curves import served
 
 SECONDS = 3.0
 SWEEPS_PER_SECOND = 0.5
-MOVES_PER_SECOND = 70
-"""A little more often than frames are drawn, so that each frame has its move."""
 BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome")
 BARS = {"n_t": 50.0, "theta_i": 55.0}
 BYTES_BAR = 120_000
@@ -41,7 +36,7 @@ COUNTER = """() => {
   };
   watch('curves', '.plot-canvas path.js-line', 'd');
   watch('ray', '.ray-incident .ray-shaft', 'x1');
-  window.drawnFrames = {read: () => ({...drawn, seconds: performance.now() / 1000})};
+  window.drawnFrames = {read: () => ({...drawn})};
 }"""
 
 PAINT = """() => {
@@ -105,35 +100,55 @@ async def first_load(browser: Browser, url: str) -> tuple[Load, float]:
     return load, float(shown)
 
 
-async def drag(page: Page, at: Callable[[float], tuple[float, float]]) -> dict[str, float]:
-    """Hold the mouse down and move it as a hand would, without waiting for the page.
+async def drag(page: Page, move: str) -> dict[str, float]:
+    """Let the page's hand move once in each frame; frames drawn a second by the page's own clock."""
+    rates: dict[str, float] = await page.evaluate(
+        f"""([seconds, sweeps]) => new Promise((resolve) => {{
+          const move = {move};
+          const before = window.drawnFrames.read();
+          const start = performance.now();
+          const tick = () => {{
+            const elapsed = (performance.now() - start) / 1000;
+            if (elapsed < seconds) {{
+              move(0.5 - 0.5 * Math.cos(2 * Math.PI * sweeps * elapsed));
+              requestAnimationFrame(tick);
+              return;
+            }}
+            const after = window.drawnFrames.read();
+            resolve(Object.fromEntries(Object.keys(before).map(
+              (name) => [name, (after[name] - before[name]) / elapsed])));
+          }};
+          requestAnimationFrame(tick);
+        }})""",
+        [SECONDS, SWEEPS_PER_SECOND],
+    )
+    return rates
 
-    Gives the frames a second by the page's own clock, from the first move to the last.
-    """
-    session = await page.context.new_cdp_session(page)
 
-    def event(kind: str, x: float, y: float) -> asyncio.Task[object]:
-        held = {"button": "left", "buttons": 1, "clickCount": 1}
-        values = {"type": kind, "x": x, "y": y, **held}
-        return asyncio.ensure_future(session.send("Input.dispatchMouseEvent", values))
-
-    await event("mousePressed", *at(0.0))
-    before = await page.evaluate("() => window.drawnFrames.read()")
-    start = time.perf_counter()
-    pending: list[asyncio.Task[object]] = []
-    while (elapsed := time.perf_counter() - start) < SECONDS:
-        pending.append(event("mouseMoved", *at(elapsed)))
-        await asyncio.sleep(1 / MOVES_PER_SECOND)
-    after = await page.evaluate("() => window.drawnFrames.read()")
-    await asyncio.gather(*pending)
-    await event("mouseReleased", *at(SECONDS))
-    seconds = after["seconds"] - before["seconds"]
-    return {key: (after[key] - before[key]) / seconds for key in ("curves", "ray")}
+async def press(page: Page, selector: str) -> None:
+    """Take hold of an element with the mouse."""
+    box = await page.locator(selector).bounding_box()
+    if box is None:
+        raise SystemExit(f"the page has no {selector}")
+    await page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    await page.mouse.down()
 
 
-def swing(elapsed: float) -> float:
-    """Go from 0 to 1 and back, smoothly."""
-    return 0.5 - 0.5 * math.cos(2 * math.pi * SWEEPS_PER_SECOND * elapsed)
+SLIDE = """(share) => {
+  const slider = document.querySelector('#n_t-slider');
+  slider.value = 1.5 + 1.3 * share;
+  slider.dispatchEvent(new InputEvent('input', {bubbles: true}));
+}"""
+TURN = """(share) => {
+  const host = document.querySelector('.diagram');
+  const {left, top, width, height} = host.getBoundingClientRect();
+  const theta = (80 - 65 * share) * Math.PI / 180;
+  host.dispatchEvent(new PointerEvent('pointermove', {
+    pointerId: 1, pointerType: 'mouse', isPrimary: true, buttons: 1, bubbles: true,
+    clientX: left + width / 2 - 150 * Math.sin(theta),
+    clientY: top + height / 2 - 150 * Math.cos(theta),
+  }));
+}"""
 
 
 async def drags(browser: Browser, url: str) -> dict[str, dict[str, float]]:
@@ -146,33 +161,16 @@ async def drags(browser: Browser, url: str) -> dict[str, dict[str, float]]:
     await page.wait_for_timeout(2000)  # until the page rests
     await page.evaluate(COUNTER)
 
-    slider = await page.locator("#n_t-slider").bounding_box()
-    if slider is None:
-        raise SystemExit("the page has no slider for n_t")
-    left, middle = slider["x"], slider["y"] + slider["height"] / 2
-    width = slider["width"]
-
-    def on_slider(elapsed: float) -> tuple[float, float]:
-        return left + width * (0.27 + 0.6 * swing(elapsed)), middle
-
+    await press(page, "#n_t-slider")
     answers.clear()
-    n_t = await drag(page, on_slider)
+    n_t = await drag(page, SLIDE)
     n_t["answers"] = len([answer for answer in answers if "/curves" in answer.url]) / SECONDS
+    await page.mouse.up()
     await page.wait_for_timeout(500)
 
-    handle = await page.locator(".diagram [role=slider]").bounding_box()
-    stage = await page.locator(".diagram-svg").bounding_box()
-    if handle is None or stage is None:
-        raise SystemExit("the page has no ray to drag")
-    x0, y0 = handle["x"] + handle["width"] / 2, handle["y"] + handle["height"] / 2
-    x, y = stage["x"] + stage["width"] / 2, stage["y"] + stage["height"] / 2
-    radius, first = math.hypot(x0 - x, y0 - y), math.atan2(x - x0, y - y0)
-
-    def on_arc(elapsed: float) -> tuple[float, float]:
-        theta = first + (math.radians(15) - first) * swing(elapsed)
-        return x - radius * math.sin(theta), y - radius * math.cos(theta)
-
-    theta_i = await drag(page, on_arc)
+    await press(page, ".diagram [role=slider]")
+    theta_i = await drag(page, TURN)
+    await page.mouse.up()
     await page.close()
     return {"n_t": n_t, "theta_i": theta_i}
 

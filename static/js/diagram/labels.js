@@ -22,6 +22,8 @@ const LOYALTY = 1.2;
 const CLEAR = 2.5;
 const AIRY = 6;
 const TIGHT = 0.7;
+/** A place that costs less than this is near what it names. */
+const GOOD = 1.2;
 
 /**
  * Whether a label lies in the quadrant of what it names.
@@ -153,6 +155,17 @@ export function placeAll({ wishes, frame, segments, boxes, previous = new Map() 
  * @returns {Placed | null}
  */
 function placeOne({ id, size, candidates }, { frame, segments, taken, before }) {
+  // Where it stood, if that is good and airy: then nothing else is tried.
+  const stood = candidates.find(({ slot }) => slot === before);
+  if (stood && stood.cost < GOOD) {
+    const box = boxOf(stood, size);
+    const airy = grown(box, AIRY);
+    const free =
+      within(box, frame) &&
+      !taken.some((other) => overlap(airy, other)) &&
+      !segments.some((segment) => crosses(segment, airy));
+    if (free) return { id, slot: stood.slot, x: stood.x, y: stood.y, clear: true };
+  }
   /** @type {Candidate | null} */
   let best = null;
   let lowest = Number.POSITIVE_INFINITY;

@@ -11,6 +11,9 @@ import { angle, inUnit, six } from "../format.js";
  *   only?: (r: Reading) => boolean}} Entry
  */
 
+/** While something moves, the numbers are written as often as an eye can catch, ms apart. */
+const READABLE = 100;
+
 /** @type {() => Entry[]} */
 const SUMMARY = () => [
   { name: "R", heading: symbol("R"), get: (r) => r.R },
@@ -59,6 +62,9 @@ export function createNumbers(say) {
   let unit = "deg";
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let dimming;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let overdue;
+  let written = Number.NEGATIVE_INFINITY;
 
   /** @param {Entry} entry @returns {number | null | undefined} */
   function full(entry) {
@@ -155,6 +161,14 @@ export function createNumbers(say) {
     update(next, nextUnit, moving) {
       reading = next;
       unit = nextUnit;
+      // Digits that change with every frame cannot be read, and cost more than the picture.
+      clearTimeout(overdue);
+      const since = performance.now() - written;
+      if (moving && since < READABLE) {
+        overdue = setTimeout(() => this.update(next, nextUnit, moving), READABLE - since);
+        return;
+      }
+      written = performance.now();
       // The amplitudes come with the server's answer for this very angle; until then the last ones stay,
       // and are dimmed if that takes long enough to be seen.
       const stale = next.snell === null;

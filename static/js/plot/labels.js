@@ -16,6 +16,8 @@ const CANDIDATES = 36;
 const GAP = 3;
 const CLEARANCE = 9;
 const FAVOURITE = 0.72;
+/** A place that costs less than this clashes with nothing and is near the favourite. */
+const GOOD = 3.5;
 
 /**
  * Lowest and highest pixel of a curve in each column; NaN where it is not.
@@ -115,19 +117,14 @@ export function placeLabels({
     /** @type {Box | null} */
     let best = null;
     let lowest = Number.POSITIVE_INFINITY;
-    for (let step = 0; step <= CANDIDATES; step += 1) {
-      // the last candidate is where the label stood, so that it can follow its curve straight up
-      const middle =
-        step < CANDIDATES
-          ? frame.width * (0.06 + (0.92 * step) / (CANDIDATES - 1))
-          : before && before.x - frame.x;
-      if (middle === undefined) continue;
+    /** @param {number} middle px from the frame's left side; the better of above and below is kept */
+    const consider = (middle) => {
       const here = span(
         /** @type {{low: Float64Array, high: Float64Array}} */ (sampled[own]),
         middle - width / 2,
         middle + width / 2,
       );
-      if (!here) continue;
+      if (!here) return;
       for (const above of [true, false]) {
         const box = {
           x: frame.x + middle - width / 2,
@@ -163,10 +160,18 @@ export function placeLabels({
           best = box;
         }
       }
+    };
+    // Where it stood it can follow its curve straight up; if that is good, nothing else is tried.
+    if (before) consider(before.x - frame.x);
+    if (lowest > GOOD) {
+      for (let step = 0; step < CANDIDATES; step += 1) {
+        consider(frame.width * (0.06 + (0.92 * step) / (CANDIDATES - 1)));
+      }
     }
-    if (!best) return;
-    taken.push(best);
-    placed.set(curve.id, { x: best.x + width / 2, y: best.y + height / 2 });
+    const found = /** @type {Box | null} */ (best);
+    if (!found) return;
+    taken.push(found);
+    placed.set(curve.id, { x: found.x + width / 2, y: found.y + height / 2 });
   });
   return placed;
 }
