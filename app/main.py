@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from fastapi import APIRouter, FastAPI
-from fastapi.middleware.cors import CORSMiddleware
 
 from app import __version__
 from app.api import (
@@ -20,7 +19,7 @@ from app.api import (
 )
 from app.optics.registry import Registry, default_registry
 from app.page import Page, SecurityHeaders
-from app.routing import Fallback, HeadAsGet
+from app.routing import Fallback, HeadAsGet, OpenToOtherPages
 from app.settings import Settings
 
 API_PREFIX = "/api/v1"
@@ -63,13 +62,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     )
     app.state.settings = settings
     problems.install(app)
-    app.add_middleware(
-        CORSMiddleware,
-        allow_origins=["*"],
-        allow_methods=["GET", "HEAD"],
-        allow_headers=["If-None-Match"],
-        expose_headers=["ETag"],
-    )
+    app.add_middleware(OpenToOtherPages, prefixes=(f"{API_PREFIX}/", "/openapi.json"))
     app.add_middleware(SecurityHeaders)
     app.add_middleware(HeadAsGet)
     routers: list[APIRouter] = [  # what is asked most often first: routes are tried in order

@@ -16,6 +16,7 @@ from starlette.responses import Response
 from starlette.staticfiles import PathLike, StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from app.comments import without_comments
 from app.ready import ReadyBody
 
 _CONTENT_SECURITY_POLICY = "; ".join(
@@ -100,7 +101,7 @@ class Page(StaticFiles):
         vendored = parts[0] == "vendor" and path.name != "manifest.json"
         cache_control = "public, max-age=31536000, immutable" if vendored else "no-cache"
         if path.suffix in _TEXT and status_code == 200:
-            ready = _ready(path, stat_result.st_mtime_ns)
+            ready = _ready(path, stat_result.st_mtime_ns, vendored)
             return ready.response(Request(scope), cache_control)
         response = super().file_response(full_path, stat_result, scope, status_code)
         response.headers["Cache-Control"] = cache_control
@@ -108,7 +109,10 @@ class Page(StaticFiles):
 
 
 @lru_cache(maxsize=512)
-def _ready(path: Path, _mtime_ns: int) -> ReadyBody:
-    """A text file to be sent, read and compressed again when it has changed."""
+def _ready(path: Path, _mtime_ns: int, vendored: bool) -> ReadyBody:
+    """A text file to be sent, our own without comments; read again when it has changed."""
     media_type = guess_type(path.name)[0] or "text/plain"
-    return ReadyBody(path.read_bytes(), media_type, effort="thorough")
+    text = path.read_bytes()
+    if not vendored:
+        text = without_comments(text, path.suffix)
+    return ReadyBody(text, media_type, effort="thorough")

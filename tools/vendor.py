@@ -61,7 +61,7 @@ FONT = Package(
     "ibm-plex-sans",
     "@fontsource-variable/ibm-plex-sans",
     "LICENSE",
-    {"files/ibm-plex-sans-greek-wght-normal.woff2": "."},
+    {},  # cut below
 )
 PACKAGES = (
     PLOTLY,

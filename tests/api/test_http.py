@@ -154,6 +154,15 @@ class TestOtherOrigins:
         assert "access-control-allow-credentials" not in answer.headers
         assert answer.headers["access-control-expose-headers"] == "ETag"
 
+    @pytest.mark.parametrize("target", [b"/", b"/js/main.js", b"/css/base.css", b"/nope"])
+    def test_files_of_the_page_are_its_own(self, app: FastAPI, target: bytes) -> None:
+        answer = ask(app, target, Origin="https://example.org")
+        assert not [name for name in answer.headers if name.startswith("access-control")]
+
+    def test_schema_may_be_read_by_any_page(self, app: FastAPI) -> None:
+        answer = ask(app, b"/openapi.json", Origin="https://example.org")
+        assert answer.headers["access-control-allow-origin"] == "*"
+
     def test_preflight_of_get_passes_and_of_others_does_not(self, app: FastAPI) -> None:
         origin = "https://example.org"
         allowed = ask(app, SNELL, "OPTIONS", Origin=origin, Access_Control_Request_Method="GET")

@@ -8,8 +8,7 @@ from playwright.sync_api import Page
 
 from tests.browser.explore_page import opened
 
-# The aim is 120,000, which needs scripts without comments.
-MOST_BYTES = 150_000  # with their headers, besides Plotly and KaTeX
+MOST_BYTES = 120_000  # with their headers, besides Plotly and KaTeX
 
 
 def test_it_is_small(page: Page) -> None:
