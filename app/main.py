@@ -7,8 +7,10 @@ from fastapi import APIRouter, FastAPI
 from app import __version__
 from app.api import (
     albedo,
+    albedo_grids,
     convert,
     curves,
+    error_grids,
     errors,
     health,
     materials,
@@ -17,8 +19,12 @@ from app.api import (
     recommend,
     snell,
 )
+from app.api.route import QueryRoute
+from app.cache import AnswerCache
+from app.front import Front
 from app.optics.registry import Registry, default_registry
 from app.page import Page, SecurityHeaders
+from app.pool import Pool
 from app.routing import Fallback, HeadAsGet, OpenToOtherPages
 from app.settings import Settings
 
@@ -60,22 +66,31 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
             }
         },
     )
-    app.state.settings = settings
-    problems.install(app)
-    app.add_middleware(OpenToOtherPages, prefixes=(f"{API_PREFIX}/", "/openapi.json"))
-    app.add_middleware(SecurityHeaders)
-    app.add_middleware(HeadAsGet)
-    routers: list[APIRouter] = [  # what is asked most often first: routes are tried in order
+    routers: list[APIRouter] = [
         curves.router(registry),
         snell.router(),
         health.router(),
         models.router(registry),
         errors.router(registry),
+        error_grids.router(registry),
         recommend.router(registry),
         convert.router(),
         albedo.router(registry),
+        albedo_grids.router(registry),
         materials.router(registry),
     ]
+    problems.install(app)
+    app.add_middleware(OpenToOtherPages, prefixes=(f"{API_PREFIX}/", "/openapi.json"))
+    app.add_middleware(SecurityHeaders)
+    app.add_middleware(HeadAsGet)
+    app.add_middleware(
+        Front,
+        routes=[r for router in routers for r in router.routes if isinstance(r, QueryRoute)],
+        prefix=API_PREFIX,
+        cache=AnswerCache(settings.cache_bytes),
+        pool=Pool(settings.threads, settings.timeout_s),
+        max_age_s=settings.max_age_s,
+    )
     for router in routers:
         app.include_router(router, prefix=API_PREFIX)
     app.router.routes.append(Fallback("/", Page(settings.static_dir), name="page"))

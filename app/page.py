@@ -11,13 +11,12 @@ from typing import Any
 
 from starlette.datastructures import MutableHeaders
 from starlette.exceptions import HTTPException
-from starlette.requests import Request
 from starlette.responses import Response
 from starlette.staticfiles import PathLike, StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.comments import without_comments
-from app.ready import ReadyBody
+from app.ready import Headers, ReadyBody
 
 _CONTENT_SECURITY_POLICY = "; ".join(
     [
@@ -102,7 +101,12 @@ class Page(StaticFiles):
         cache_control = "public, max-age=31536000, immutable" if vendored else "no-cache"
         if path.suffix in _TEXT and status_code == 200:
             ready = _ready(path, stat_result.st_mtime_ns, vendored)
-            return ready.response(Request(scope), cache_control)
+            kept: Headers = [(b"cache-control", cache_control.encode())]
+            response = Response()
+            response.status_code, response.raw_headers, response.body = ready.reply(
+                scope["headers"], kept, ready.coding(scope["headers"])
+            )
+            return response
         response = super().file_response(full_path, stat_result, scope, status_code)
         response.headers["Cache-Control"] = cache_control
         return response
@@ -112,6 +116,8 @@ class Page(StaticFiles):
 def _ready(path: Path, _mtime_ns: int, vendored: bool) -> ReadyBody:
     """A text file to be sent, our own without comments; read again when it has changed."""
     media_type = guess_type(path.name)[0] or "text/plain"
+    if media_type.startswith("text/"):
+        media_type += "; charset=utf-8"
     text = path.read_bytes()
     if not vendored:
         text = without_comments(text, path.suffix)

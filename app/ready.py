@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import gzip
 from base64 import urlsafe_b64encode
-from collections.abc import Mapping
-from hashlib import blake2b
-from typing import Literal
+from collections.abc import Iterable, Mapping
+from functools import lru_cache
+from hashlib import sha256
+from typing import Literal, NamedTuple
 
 import brotli
 import zstandard
-from starlette.requests import Request
-from starlette.responses import Response
 
 Effort = Literal["quick", "thorough"]
 """How hard to compress: quick for what is sent once, thorough for what is sent for ever."""
+
+Coding = Literal["br", "zstd", "gzip"]
+Headers = list[tuple[bytes, bytes]]
+"""Names in lower case and values, as ASGI has them."""
 
 # Below these sizes the header that names the encoding takes what compression gains.
 _SMALLEST = {"quick": 1024, "thorough": 200}
@@ -22,9 +25,34 @@ _SMALLEST = {"quick": 1024, "thorough": 200}
 # Brotli at its best makes small texts a tenth smaller than zstandard, and takes seconds for large ones.
 _LARGEST_BROTLI = 262_144
 
+# Compressed in a few milliseconds at most, during which no other request is answered.
+_QUICKLY_COMPRESSED = {"quick": 1_000_000, "thorough": 10_000}
+
+
+class Reply(NamedTuple):
+    """What goes over the wire."""
+
+    status: int
+    headers: Headers
+    body: bytes
+
 
 class ReadyBody:
-    """Bytes to be sent any number of times, tagged once and compressed once an encoding."""
+    """Bytes to be sent any number of times, tagged once and compressed once an encoding.
+
+    Parameters
+    ----------
+    body
+        The content.
+    media_type
+        Its type, the charset included.
+    headers
+        More headers that belong to the content.
+    effort
+        How hard to compress.
+    cacheable
+        Whether the answer will be the same next time.
+    """
 
     def __init__(
         self,
@@ -33,72 +61,93 @@ class ReadyBody:
         headers: Mapping[str, str] | None = None,
         *,
         effort: Effort = "quick",
+        cacheable: bool = True,
     ) -> None:
-        self._media_type = media_type
+        self.body = body
+        self.cacheable = cacheable
         self._effort: Effort = effort
-        self._encoded: dict[str | None, bytes] = {None: body}
+        self._encoded: dict[Coding | None, bytes] = {None: body}
         # Short, for the page is dozens of files: it only tells the versions of one address apart.
-        tag = urlsafe_b64encode(blake2b(body, digest_size=9).digest()).decode()
-        etag = f'W/"{tag}"'
-        self._headers = {**(headers or {}), "ETag": etag, "Vary": "Accept-Encoding"}
+        # SHA-256 because processors have instructions for it, which makes it faster than BLAKE2.
+        self.etag = b'W/"' + urlsafe_b64encode(sha256(body).digest()[:9]) + b'"'
+        more = {**(headers or {}), "Vary": "Accept-Encoding"}
+        self._of_content: Headers = [(k.lower().encode(), v.encode()) for k, v in more.items()]
+        self._of_content.append((b"etag", self.etag))
+        self._content_type = (b"content-type", media_type.encode())
+        self.size = size = len(body)  # of all encodings made so far
+        self._codings: tuple[Coding, ...] = ("zstd", "gzip")
+        if size < _SMALLEST[effort]:
+            self._codings = ()
+        elif effort == "thorough" and size <= _LARGEST_BROTLI:
+            self._codings = ("br", "zstd", "gzip")
 
-    def response(self, request: Request, cache_control: str | None = None) -> Response:
-        """Answer a request: 304 where the client has the content, else in the best encoding.
+    def coding(self, request: Iterable[tuple[bytes, bytes]]) -> Coding | None:
+        """Choose the encoding for a client that sent these headers, None for the bytes as is."""
+        accepted = b",".join([value for name, value in request if name == b"accept-encoding"])
+        return _best(accepted, self._codings) if accepted and self._codings else None
 
-        Answers of the API may be kept as long as the settings say, unless `cache_control` is given.
+    def takes_long(self, coding: Coding | None) -> bool:
+        """Whether the encoding has yet to be made, and that takes longer than others should wait."""
+        return coding not in self._encoded and len(self.body) > _QUICKLY_COMPRESSED[self._effort]
+
+    def encoded(self, coding: Coding | None) -> bytes:
+        """The bytes in an encoding, made the first time."""
+        if coding not in self._encoded:
+            made = self._encoded[coding] = _compress(self.body, coding, self._effort)
+            self.size += len(made)
+        return self._encoded[coding]
+
+    def reply(self, request: Headers, more: Headers, coding: Coding | None) -> Reply:
+        """Answer a client that sent the headers `request`: 304 where it has the content.
+
+        Parameters
+        ----------
+        request
+            Headers of the request.
+        more
+            Headers to be sent beside those of the content.
+        coding
+            The encoding, as `coding` chose it.
         """
-        if cache_control is None:
-            cache_control = f"public, max-age={request.app.state.settings.max_age_s}"
-        headers = {**self._headers, "Cache-Control": cache_control}
-        if _has_copy(request, self._headers["ETag"]):
-            return Response(status_code=304, headers=headers)
-        encoding = _encoding(request, self._codings())
-        if encoding is not None:
-            headers["Content-Encoding"] = encoding
-        return Response(self._in(encoding), headers=headers, media_type=self._media_type)
+        headers = [*self._of_content, *more]
+        if any(name == b"if-none-match" and self._is_among(held) for name, held in request):
+            return Reply(304, headers, b"")
+        body = self.encoded(coding)
+        if coding is not None:
+            headers.append((b"content-encoding", coding.encode()))
+        headers += [self._content_type, (b"content-length", b"%d" % len(body))]
+        return Reply(200, headers, body)
 
-    def _codings(self) -> tuple[str, ...]:
-        """Name the encodings worth their while, best first."""
-        size = len(self._encoded[None])
-        if size < _SMALLEST[self._effort]:
-            return ()
-        if self._effort == "thorough" and size <= _LARGEST_BROTLI:
-            return ("br", "zstd", "gzip")
-        return ("zstd", "gzip")
-
-    def _in(self, encoding: str | None) -> bytes:
-        if encoding not in self._encoded:
-            self._encoded[encoding] = _compress(self._encoded[None], encoding, self._effort)
-        return self._encoded[encoding]
+    def _is_among(self, held: bytes) -> bool:
+        """Whether If-None-Match names this content (weak comparison, RFC 9110 section 13.1.2)."""
+        tags = {tag.strip().removeprefix(b"W/") for tag in held.split(b",")}
+        return b"*" in tags or self.etag.removeprefix(b"W/") in tags
 
 
-def _compress(body: bytes, encoding: str | None, effort: Effort) -> bytes:
-    if encoding == "br":
+def _compress(body: bytes, coding: Coding | None, effort: Effort) -> bytes:
+    if coding == "br":
         return bytes(brotli.compress(body, quality=11))
-    if encoding == "zstd":
+    if coding == "zstd":
         return zstandard.compress(body, level=1 if effort == "quick" else 19)
     return gzip.compress(body, compresslevel=1 if effort == "quick" else 9, mtime=0)
 
 
-def _has_copy(request: Request, etag: str) -> bool:
-    """Whether If-None-Match names this content (weak comparison, RFC 9110 section 13.1.2)."""
-    held = request.headers.get("if-none-match")
-    if held is None:
-        return False
-    tags = {tag.strip().removeprefix("W/") for tag in held.split(",")}
-    return "*" in tags or etag.removeprefix("W/") in tags
-
-
-def _encoding(request: Request, codings: tuple[str, ...]) -> str | None:
-    """Choose the first of the encodings that the client asks for (RFC 9110 section 12.5.3)."""
-    accepted: dict[str, float] = {}
-    for part in request.headers.get("accept-encoding", "").lower().split(","):
-        coding, _, quality = part.partition(";")
-        try:
-            accepted[coding.strip()] = float(quality.partition("=")[2] or 1.0)
-        except ValueError:
-            continue  # a malformed weight asks for nothing
+def _best(accepted: bytes, codings: tuple[Coding, ...]) -> Coding | None:
+    """Choose the first of the encodings that a client asks for (RFC 9110 section 12.5.3)."""
+    weights = _weights(accepted) if len(accepted) < 200 else _weights.__wrapped__(accepted)
     for coding in codings:
-        if accepted.get(coding, accepted.get("*", 0.0)) > 0.0:
+        if weights.get(coding, weights.get("*", 0.0)) > 0.0:
             return coding
     return None
+
+
+@lru_cache(maxsize=256)  # a few spellings of as many browsers; long ones are read each time
+def _weights(accepted: bytes) -> Mapping[str, float]:
+    weights: dict[str, float] = {}
+    for part in accepted.decode("latin-1").lower().split(","):
+        coding, _, quality = part.partition(";")
+        try:
+            weights[coding.strip()] = float(quality.partition("=")[2] or 1.0)
+        except ValueError:
+            continue  # a malformed weight asks for nothing
+    return weights

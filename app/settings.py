@@ -25,3 +25,10 @@ class Settings(BaseSettings):
     max_age_s: int = Field(
         3600, ge=0, description="How long caches may keep an answer of the API, in seconds."
     )
+    cache_bytes: int = Field(
+        64_000_000, ge=0, description="Memory for finished answers of the API, in bytes."
+    )
+    threads: int = Field(2, ge=1, description="How many large answers are computed at a time.")
+    timeout_s: float = Field(
+        30.0, gt=0.0, description="How long a large answer may take, in seconds."
+    )

@@ -6,13 +6,11 @@
 from typing import Annotated, Any
 
 import numpy as np
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from pydantic import Field
-from starlette.concurrency import run_in_threadpool
-from starlette.responses import Response
 
-from app.api import albedo_grids
 from app.api.albedo_schemas import AlbedoOut, CoatOut, FitOut, FitsOut
+from app.api.answers import Answer, Large
 from app.api.model_parameters import (
     model_arguments,
     parse_models,
@@ -23,9 +21,9 @@ from app.api.params import InterfaceQuery, Number, TableQuery, number
 from app.api.problems import MissingResource
 from app.api.responses import (
     CONVENTION,
-    csv_response,
+    csv_body,
     interface_json,
-    json_response,
+    json_body,
     number_or_null,
 )
 from app.api.route import QueryRoute
@@ -48,6 +46,7 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import THETA_I_DEG, Array
 from app.optics.registry import Model, Registry
+from app.ready import ReadyBody
 
 
 class AlbedoQuery(TableQuery, InterfaceQuery):
@@ -161,7 +160,7 @@ def router(registry: Registry) -> APIRouter:
             )
         return answers
 
-    def respond(request: Request, query: AlbedoQuery, models: list[Model]) -> Response:
+    def respond(query: AlbedoQuery, models: list[Model]) -> ReadyBody:
         interface = query.interface()
         exact = albedo(interface)
         payload: dict[str, Any] = {
@@ -181,41 +180,40 @@ def router(registry: Registry) -> APIRouter:
                 "approximations": _approximations(reverse, exact_reverse),
             }
         if query.format == "csv":
-            return csv_response(request, _columns(payload), query.digits, "albedo.csv")
-        return json_response(request, payload, query.digits)
+            return csv_body(_columns(payload), query.digits, "albedo.csv")
+        return json_body(payload, query.digits)
 
     @routes.get("/albedo", response_model=AlbedoOut, summary="Albedo of one interface")
-    async def albedos(request: Request, query: Annotated[Query_, Query()]) -> Response:  # type: ignore[valid-type]
-        return await answer(request, query)
+    def albedos(query: Annotated[Query_, Query()]) -> Answer:  # type: ignore[valid-type]
+        return answer(query)
 
-    async def answer(request: Request, query: AlbedoQuery) -> Response:
+    def answer(query: AlbedoQuery) -> Answer:
         models = parse_models(query.models, registry) if query.models else []
         refuse_foreign_parameters(query, models, registry)
         if models:
-            return await run_in_threadpool(respond, request, query, models)
-        return respond(request, query, models)
+            return Large(respond, query, models)
+        return respond(query, models)
 
     @routes.get("/albedo/fits", response_model=FitsOut, summary="All fits of the albedo")
-    async def fits(request: Request) -> Response:
-        return json_response(request, {"fits": [describe(fit) for fit in FITS.values()]})
+    def fits() -> Answer:
+        return json_body({"fits": [describe(fit) for fit in FITS.values()]})
 
     @routes.get("/albedo/fits/{fit_id}", response_model=FitOut, summary="One fit of the albedo")
-    async def one_fit(request: Request, fit_id: str) -> Response:
+    def one_fit(fit_id: str) -> Answer:
         try:
             found = find_fit(fit_id, "fit_id")
         except UnknownFit as error:
             raise MissingResource(error) from None
-        return json_response(request, describe(found))
+        return json_body(describe(found))
 
     @routes.get("/albedo/coat", response_model=CoatOut, summary="A diffuse body under a coat")
-    async def coat(request: Request, query: Annotated[CoatQuery, Query()]) -> Response:
-        return _coat(request, query)
+    def coat(query: Annotated[CoatQuery, Query()]) -> Answer:
+        return _coat(query)
 
-    routes.include_router(albedo_grids.router(registry))
     return routes
 
 
-def _coat(request: Request, query: CoatQuery) -> Response:
+def _coat(query: CoatQuery) -> ReadyBody:
     interface = query.interface()
     ray = None if query.theta_i_deg is None else Incidence.from_degrees(query.theta_i_deg)
     split = coat_split(interface, query.body_albedo, ray)
@@ -225,7 +223,7 @@ def _coat(request: Request, query: CoatQuery) -> Response:
     }
     if query.format == "csv":
         columns = {name: np.array([value]) for name, value in parts.items()}
-        return csv_response(request, columns, query.digits, "coat.csv")
+        return csv_body(columns, query.digits, "coat.csv")
     payload = {
         "interface": interface_json(interface),
         "convention": CONVENTION,
@@ -233,7 +231,7 @@ def _coat(request: Request, query: CoatQuery) -> Response:
         "theta_i_deg": query.theta_i_deg,
         **parts,
     }
-    return json_response(request, payload, query.digits)
+    return json_body(payload, query.digits)
 
 
 def _columns(payload: dict[str, Any]) -> dict[str, Array]:

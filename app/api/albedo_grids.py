@@ -8,12 +8,11 @@ from functools import lru_cache
 from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from pydantic import Field
-from starlette.concurrency import run_in_threadpool
-from starlette.responses import Response
 
 from app.api.albedo_schemas import MapOut, SweepOut
+from app.api.answers import Answer, Large
 from app.api.model_parameters import (
     model_arguments,
     parse_models,
@@ -22,7 +21,7 @@ from app.api.model_parameters import (
 )
 from app.api.params import Count, InterfaceQuery, Number, TableQuery, number
 from app.api.presets import PresetInterface
-from app.api.responses import CONVENTION, csv_response, json_response
+from app.api.responses import CONVENTION, csv_body, json_body
 from app.api.route import QueryRoute
 from app.optics.albedo import (
     Albedo,
@@ -37,6 +36,7 @@ from app.optics.errors import NotAllowed, OutOfRange
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, Array
 from app.optics.registry import Model, Registry
+from app.ready import ReadyBody
 
 MOST_STEPS = 20_001
 MOST_CELLS = 250_000
@@ -198,7 +198,7 @@ def _largest(values: Array, interface: Interface) -> dict[str, float] | None:
     }
 
 
-def _map(request: Request, query: MapQuery, fit: Fit | None) -> Response:
+def _map(query: MapQuery, fit: Fit | None) -> ReadyBody:
     show = query.show or ("error" if fit else "exact")
     quantity = fit.quantity if fit else query.quantity or "unpolarized"
     interface, exact = _exact_over_rectangle(
@@ -222,7 +222,7 @@ def _map(request: Request, query: MapQuery, fit: Fit | None) -> Response:
     if query.format == "csv":
         n_t, k_t = np.broadcast_arrays(interface.n_t, interface.k_t)
         columns = {"n_t": n_t.ravel(), "k_t": k_t.ravel(), show: values.ravel()}
-        return csv_response(request, columns, query.digits, "albedo_map.csv")
+        return csv_body(columns, query.digits, "albedo_map.csv")
     payload = {
         "convention": CONVENTION,
         "n_i": query.n_i,
@@ -238,7 +238,7 @@ def _map(request: Request, query: MapQuery, fit: Fit | None) -> Response:
         else _largest(np.where(inside, values, np.nan), interface),
         "domains": domains,
     }
-    return json_response(request, payload, query.digits)
+    return json_body(payload, query.digits)
 
 
 def router(registry: Registry) -> APIRouter:
@@ -286,9 +286,7 @@ def router(registry: Registry) -> APIRouter:
             ]
         return values, found
 
-    def respond(
-        request: Request, query: SweepQuery, fits: list[Fit], models: list[Model]
-    ) -> Response:
+    def respond(query: SweepQuery, fits: list[Fit], models: list[Model]) -> ReadyBody:
         values, found = curves(query, fits, models)
         if query.format == "csv":
             columns: dict[str, Array] = {query.over: values}
@@ -296,7 +294,7 @@ def router(registry: Registry) -> APIRouter:
                 columns[curve.column] = curve.values
                 if curve.error is not None:
                     columns[f"{curve.column}.error"] = curve.error
-            return csv_response(request, columns, query.digits, "albedo_sweep.csv")
+            return csv_body(columns, query.digits, "albedo_sweep.csv")
         payload = {
             "convention": CONVENTION,
             "n_i": query.n_i,
@@ -307,26 +305,26 @@ def router(registry: Registry) -> APIRouter:
             "values": values,
             "curves": [curve._asdict() for curve in found],
         }
-        return json_response(request, payload, query.digits)
+        return json_body(payload, query.digits)
 
     @routes.get("/albedo/sweep", response_model=SweepOut, summary="Albedos along n_t, k_t or eta")
-    async def sweep(request: Request, query: Annotated[Query_, Query()]) -> Response:  # type: ignore[valid-type]
-        return await answer(request, query)
+    def sweep(query: Annotated[Query_, Query()]) -> Answer:  # type: ignore[valid-type]
+        return answer(query)
 
-    async def answer(request: Request, query: SweepQuery) -> Response:
+    def answer(query: SweepQuery) -> Answer:
         models = parse_models(query.models, registry) if query.models else []
         fits = parse_fits(query.fits)
         refuse_foreign_parameters(query, models, registry)
         clear = query.over != "k_t" and query.k_t == 0.0 and not query.flatland and not models
         if clear and query.steps <= _INLINE_STEPS:
-            return respond(request, query, fits, models)
-        return await run_in_threadpool(respond, request, query, fits, models)
+            return respond(query, fits, models)
+        return Large(respond, query, fits, models)
 
     @routes.get("/albedo/map", response_model=MapOut, summary="Albedos over n_t and k_t")
-    async def albedo_map(request: Request, query: Annotated[MapQuery, Query()]) -> Response:
+    def albedo_map(query: Annotated[MapQuery, Query()]) -> Answer:
         fit = None if query.fit is None else find_fit(query.fit, "fit")
         refuse_map(query, fit)
-        return await run_in_threadpool(_map, request, query, fit)
+        return Large(_map, query, fit)
 
     return routes
 

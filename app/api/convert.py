@@ -6,15 +6,15 @@ from collections.abc import Sequence
 from typing import Annotated, Any
 
 import numpy as np
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from pydantic import BaseModel, BeforeValidator, Field, WithJsonSchema
-from starlette.responses import Response
 
+from app.api.answers import Answer
 from app.api.params import InterfaceQuery, Number, TableQuery, number
 from app.api.problems import BadParameters, ParameterError
-from app.api.responses import CONVENTION, json_response
+from app.api.responses import CONVENTION, json_body
 from app.api.route import QueryRoute
-from app.api.row_table import rows_csv_response
+from app.api.row_table import rows_csv_body
 from app.optics.conversions import (
     F0_LINEAR,
     F0_SRGB,
@@ -198,7 +198,7 @@ def router() -> APIRouter:
     routes = APIRouter(route_class=QueryRoute, tags=["convert"])
 
     @routes.get("/convert", response_model=ConvertOut, summary="n, k, F0, tints and engine values")
-    async def converted(request: Request, query: Annotated[ConvertQuery, Query()]) -> Response:
+    def converted(query: Annotated[ConvertQuery, Query()]) -> Answer:
         given = given_values(query)
         single = all(len(values) == 1 for values in given.values())
         known: list[Known] = [
@@ -212,7 +212,7 @@ def router() -> APIRouter:
             # A color's hexadecimal code is one for all three channels.
             header = ["form", "name", *dict.fromkeys(["value", *numbers]), "status", "why"]
             rows = _csv_rows(results)
-            return rows_csv_response(request, header, rows, query.digits, "fresnel_convert.csv")
+            return rows_csv_body(header, rows, query.digits, "fresnel_convert.csv")
         interface = query.interface()
         material = getattr(interface, "material", None)
         payload = {
@@ -227,6 +227,6 @@ def router() -> APIRouter:
             "material": None if material is None else material.as_json(),
             "results": results,
         }
-        return json_response(request, payload, query.digits)
+        return json_body(payload, query.digits)
 
     return routes

@@ -7,11 +7,10 @@ from collections.abc import Iterator
 from typing import Annotated, Any, NamedTuple
 
 import numpy as np
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from pydantic import Field
-from starlette.concurrency import run_in_threadpool
-from starlette.responses import Response
 
+from app.api.answers import Answer, Large
 from app.api.model_parameters import (
     ModelsParameter,
     model_arguments,
@@ -23,9 +22,9 @@ from app.api.params import InterfaceQuery, SamplesQuery, TableQuery
 from app.api.responses import (
     CONVENTION,
     CSV_AS_WELL,
-    csv_response,
+    csv_body,
     interface_json,
-    json_response,
+    json_body,
 )
 from app.api.route import QueryRoute
 from app.api.schemas import CurvesOut
@@ -36,6 +35,7 @@ from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.optics.registry import Model, Registry
 from app.optics.snell import penetration_depth_wavelengths, refraction_angle_deg
+from app.ready import ReadyBody
 
 # Above this many values a curve is computed in a thread, so that other requests are answered
 # meanwhile; below it the hand-over would cost more than the curve.
@@ -130,24 +130,22 @@ def router(registry: Registry) -> APIRouter:
         responses=CSV_AS_WELL,
         summary="Reflectance over the angle",
     )
-    async def curves(request: Request, query: Annotated[Query_, Query()]) -> Response:  # type: ignore[valid-type]
-        return await answer(request, query)
+    def curves(query: Annotated[Query_, Query()]) -> Answer:  # type: ignore[valid-type]
+        return answer(query)
 
-    async def answer(request: Request, query: CurvesQuery) -> Response:
+    def answer(query: CurvesQuery) -> Answer:
         models = parse_models(query.models, registry)
         refuse_foreign_parameters(query, models, registry)
         interface = query.interface()
         if query.samples * len(models) > _INLINE_VALUES:
-            return await run_in_threadpool(respond, request, query, models, interface)
-        return respond(request, query, models, interface)
+            return Large(respond, query, models, interface)
+        return respond(query, models, interface)
 
-    def respond(
-        request: Request, query: CurvesQuery, models: list[Model], interface: Interface
-    ) -> Response:
+    def respond(query: CurvesQuery, models: list[Model], interface: Interface) -> ReadyBody:
         theta_i_deg, curves = compute(query, models, interface)
         if query.format == "csv":
             columns = {f"{c.model}.{c.quantity}": c.values for c in curves}
-            return csv_response(request, {"theta_i_deg": theta_i_deg} | columns, query.digits)
+            return csv_body({"theta_i_deg": theta_i_deg} | columns, query.digits)
         payload = {
             "interface": interface_json(interface),
             "convention": CONVENTION,
@@ -163,6 +161,6 @@ def router(registry: Registry) -> APIRouter:
                 for c in curves
             ],
         }
-        return json_response(request, payload, query.digits)
+        return json_body(payload, query.digits)
 
     return routes

@@ -7,11 +7,10 @@ from collections.abc import Mapping
 from typing import Annotated, Any, Literal, NamedTuple, cast
 
 import numpy as np
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from pydantic import Field
-from starlette.concurrency import run_in_threadpool
-from starlette.responses import Response
 
+from app.api.answers import Answer, Large
 from app.api.error_schemas import MEASURE, ErrorMapOut, ErrorSweepOut, figures_json
 from app.api.model_parameters import (
     model_arguments,
@@ -19,7 +18,7 @@ from app.api.model_parameters import (
     with_model_parameters,
 )
 from app.api.params import Count, InterfaceQuery, Number, TableQuery
-from app.api.responses import CONVENTION, csv_response, json_response
+from app.api.responses import CONVENTION, csv_body, json_body
 from app.api.route import QueryRoute
 from app.optics.errors import NotAllowed, OutOfRange
 from app.optics.incidence import Incidence
@@ -35,6 +34,7 @@ from app.optics.metrics import (
 )
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, Array
 from app.optics.registry import Model, Registry
+from app.ready import ReadyBody
 
 MOST_STEPS = 2001
 MOST_CELLS = 250_000
@@ -171,14 +171,14 @@ def _inside(model: Model, interface: Interface) -> list[bool]:
     return [model.reason_outside(Interface(*point)) is None for point in points]
 
 
-def _sweep(request: Request, query: ErrorSweepQuery, model: Model) -> Response:
+def _sweep(query: ErrorSweepQuery, model: Model) -> ReadyBody:
     axis = make_axis(query, query.over, "", query.steps, query.scale)
     interface = interface_over(query, {axis.name: axis.values})
     arguments = model.arguments(interface, **scalar_arguments(query, model))
     columns: dict[str, Array] = figures_json(measure(model, interface, arguments))
     if query.format == "csv":
         columns = {query.over: axis.values} | columns
-        return csv_response(request, columns, query.digits, "fresnel_error_sweep.csv")
+        return csv_body(columns, query.digits, "fresnel_error_sweep.csv")
     payload = {
         "model": model.id,
         "convention": CONVENTION,
@@ -189,7 +189,7 @@ def _sweep(request: Request, query: ErrorSweepQuery, model: Model) -> Response:
         "in_domain": _inside(model, interface),
         **columns,
     }
-    return json_response(request, payload, query.digits)
+    return json_body(payload, query.digits)
 
 
 def map_metric(query: ErrorMapQuery) -> MapMetric:
@@ -214,7 +214,7 @@ def map_metric(query: ErrorMapQuery) -> MapMetric:
     return metric
 
 
-def _map(request: Request, query: ErrorMapQuery, model: Model, metric: MapMetric) -> Response:
+def _map(query: ErrorMapQuery, model: Model, metric: MapMetric) -> ReadyBody:
     x, y = (
         make_axis(query, query.x, "x_", query.x_steps),
         make_axis(query, query.y, "y_", query.y_steps),
@@ -234,7 +234,7 @@ def _map(request: Request, query: ErrorMapQuery, model: Model, metric: MapMetric
     if query.format == "csv":
         xs, ys = np.broadcast_arrays(x.values[np.newaxis, :], y.values[:, np.newaxis])
         columns = {x.name: xs.ravel(), y.name: ys.ravel(), metric: values.ravel()}
-        return csv_response(request, columns, query.digits, "fresnel_error_map.csv")
+        return csv_body(columns, query.digits, "fresnel_error_map.csv")
     payload = {
         "model": model.id,
         "convention": CONVENTION,
@@ -245,7 +245,7 @@ def _map(request: Request, query: ErrorMapQuery, model: Model, metric: MapMetric
         "y": y._asdict(),
         "values": values,
     }
-    return json_response(request, payload, query.digits)
+    return json_body(payload, query.digits)
 
 
 def router(registry: Registry) -> APIRouter:
@@ -262,18 +262,18 @@ def router(registry: Registry) -> APIRouter:
     @routes.get(
         "/errors/sweep", response_model=ErrorSweepOut, summary="Errors over n_t, k_t or eta"
     )
-    async def sweep(request: Request, query: Annotated[Sweep_, Query()]) -> Response:  # type: ignore[valid-type]
-        return await answer_sweep(request, query)
+    def sweep(query: Annotated[Sweep_, Query()]) -> Answer:  # type: ignore[valid-type]
+        return answer_sweep(query)
 
-    async def answer_sweep(request: Request, query: ErrorSweepQuery) -> Response:
-        return await run_in_threadpool(_sweep, request, query, asked_for(query))
+    def answer_sweep(query: ErrorSweepQuery) -> Answer:
+        return Large(_sweep, query, asked_for(query))
 
     @routes.get("/errors/map", response_model=ErrorMapOut, summary="Errors over a rectangle")
-    async def error_map(request: Request, query: Annotated[Map_, Query()]) -> Response:  # type: ignore[valid-type]
-        return await answer_map(request, query)
+    def error_map(query: Annotated[Map_, Query()]) -> Answer:  # type: ignore[valid-type]
+        return answer_map(query)
 
-    async def answer_map(request: Request, query: ErrorMapQuery) -> Response:
+    def answer_map(query: ErrorMapQuery) -> Answer:
         model, metric = asked_for(query), map_metric(query)
-        return await run_in_threadpool(_map, request, query, model, metric)
+        return Large(_map, query, model, metric)
 
     return routes

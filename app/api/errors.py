@@ -7,12 +7,10 @@ from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from pydantic import Field
-from starlette.concurrency import run_in_threadpool
-from starlette.responses import Response
 
-from app.api import error_grids
+from app.api.answers import Answer, Large
 from app.api.curves import sampled_angles
 from app.api.error_schemas import MEASURE, ErrorsOut, figures_json
 from app.api.model_parameters import (
@@ -23,14 +21,15 @@ from app.api.model_parameters import (
     with_model_parameters,
 )
 from app.api.params import InterfaceQuery, SamplesQuery, TableQuery
-from app.api.responses import CONVENTION, csv_response, interface_json, json_response
+from app.api.responses import CONVENTION, csv_body, interface_json, json_body
 from app.api.route import QueryRoute
-from app.api.row_table import rows_csv_response
+from app.api.row_table import rows_csv_body
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.metrics import METRICS, measure, point_error
 from app.optics.parameters import Array
 from app.optics.registry import Model, Registry
+from app.ready import ReadyBody
 
 COLUMNS = ["model", "quantity", "in_domain", "reason", *METRICS, "albedo_error"]
 
@@ -90,9 +89,7 @@ def router(registry: Registry) -> APIRouter:
     routes = APIRouter(route_class=QueryRoute, tags=["errors"])
     Query_ = with_model_parameters(ErrorsQuery, registry)
 
-    def respond(
-        request: Request, query: ErrorsQuery, models: list[Model], interface: Interface
-    ) -> Response:
+    def respond(query: ErrorsQuery, models: list[Model], interface: Interface) -> ReadyBody:
         theta_i_deg = sampled_angles(interface, query.samples, query.landmarks)
         incidence = Incidence.from_degrees(theta_i_deg)
         rows = [
@@ -115,9 +112,9 @@ def router(registry: Registry) -> APIRouter:
                 if name in row
             }
             columns = {"theta_i_deg": theta_i_deg} | columns
-            return csv_response(request, columns, query.digits, "fresnel_errors.csv")
+            return csv_body(columns, query.digits, "fresnel_errors.csv")
         if query.format == "csv":
-            return rows_csv_response(request, COLUMNS, rows, query.digits, "fresnel_errors.csv")
+            return rows_csv_body(COLUMNS, rows, query.digits, "fresnel_errors.csv")
         payload = {
             "interface": interface_json(interface),
             "convention": CONVENTION,
@@ -126,16 +123,15 @@ def router(registry: Registry) -> APIRouter:
             "theta_i_deg": theta_i_deg,
             "errors": rows,
         }
-        return json_response(request, payload, query.digits)
+        return json_body(payload, query.digits)
 
     @routes.get("/errors", response_model=ErrorsOut, summary="How wrong models are")
-    async def errors(request: Request, query: Annotated[Query_, Query()]) -> Response:  # type: ignore[valid-type]
-        return await answer(request, query)
+    def errors(query: Annotated[Query_, Query()]) -> Answer:  # type: ignore[valid-type]
+        return answer(query)
 
-    async def answer(request: Request, query: ErrorsQuery) -> Response:
+    def answer(query: ErrorsQuery) -> Answer:
         models = parse_models(query.models, registry)
         refuse_foreign_parameters(query, models, registry)
-        return await run_in_threadpool(respond, request, query, models, query.interface())
+        return Large(respond, query, models, query.interface())
 
-    routes.include_router(error_grids.router(registry))
     return routes

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from importlib.metadata import version
 
-from fastapi import APIRouter, Request
-from starlette.responses import JSONResponse
+import orjson
+from fastapi import APIRouter
 
 from app import __version__
 from app.api.route import QueryRoute
 from app.api.schemas import HealthOut
+from app.ready import ReadyBody
 
 _LIBRARIES = {
     name: version(name) for name in ("fastapi", "numpy", "orjson", "pydantic", "scipy", "uvicorn")
@@ -21,8 +22,8 @@ def router() -> APIRouter:
     routes = APIRouter(route_class=QueryRoute, tags=["server"])
 
     @routes.get("/health", response_model=HealthOut, summary="Is the server well?")
-    async def health(request: Request) -> JSONResponse:  # noqa: ARG001 - QueryRoute hands it over
+    def health() -> ReadyBody:
         body = {"status": "ok", "version": __version__, "libraries": _LIBRARIES}
-        return JSONResponse(body, headers={"Cache-Control": "no-store"})
+        return ReadyBody(orjson.dumps(body), "application/json", cacheable=False)
 
     return routes

@@ -7,13 +7,13 @@ from functools import lru_cache
 from typing import Annotated, Any
 
 import orjson
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from pydantic import Field
-from starlette.responses import Response
 
+from app.api.answers import Answer
 from app.api.params import QueryModel
 from app.api.problems import MissingResource
-from app.api.responses import json_response
+from app.api.responses import json_body
 from app.api.route import QueryRoute
 from app.api.schemas import ModelOut, ModelsOut, ParametersOut
 from app.optics.errors import NotAllowed, UnknownModel
@@ -76,19 +76,19 @@ def router(registry: Registry) -> APIRouter:
     )
 
     @routes.get("/models", response_model=ModelsOut, summary="All models")
-    async def models(request: Request, query: Annotated[ModelsQuery, Query()]) -> Response:
-        return every_model(query.fields).response(request)
+    def models(query: Annotated[ModelsQuery, Query()]) -> Answer:
+        return every_model(query.fields)
 
     @routes.get("/models/{model_id}", response_model=ModelOut, summary="One model")
-    async def model(request: Request, model_id: str) -> Response:
+    def model(model_id: str) -> Answer:
         try:
             found = registry.find(model_id, "model_id")
         except UnknownModel as error:
             raise MissingResource(error) from None
-        return json_response(request, describe(found))
+        return json_body(describe(found))
 
     @routes.get("/parameters", response_model=ParametersOut, summary="Parameters and bounds")
-    async def parameters(request: Request) -> Response:
-        return every_parameter.response(request)
+    def parameters() -> Answer:
+        return every_parameter
 
     return routes

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import (
@@ -25,14 +26,19 @@ from app.api.problems import BadParameters, ParameterError
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, Parameter
 
+_ZERO = re.compile(r"-(0+\.?0*|\.0+)(e[+-]?\d+)?", re.IGNORECASE)
+
 MAX_SAMPLES = 20001
 MAX_WAVELENGTH_NM = 1e7
 
 
 def plain(text: object) -> object:
-    """Refuse what Python reads as a number though no one writes it: 1_5 for 15."""
-    if isinstance(text, str) and "_" in text:
-        raise PydanticCustomError("number", "a number has no underscore")
+    """Refuse what Python reads as a number though no one writes it, 1_5 for 15; read -0 as 0."""
+    if isinstance(text, str):
+        if "_" in text:
+            raise PydanticCustomError("number", "a number has no underscore")
+        if text.startswith("-") and _ZERO.fullmatch(text):
+            return "0"
     return text
 
 

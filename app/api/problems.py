@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from difflib import get_close_matches
 from http import HTTPStatus
 from typing import Any, TypedDict
@@ -15,8 +15,18 @@ from starlette.exceptions import HTTPException
 from starlette.responses import Response
 
 from app.optics.errors import OpticsError
+from app.pool import Overloaded
 
 MEDIA_TYPE = "application/problem+json"
+
+API_HEADERS = [
+    # Sent to everybody: a cache would hand an answer without them to a page of another origin.
+    (b"access-control-allow-origin", b"*"),
+    (b"access-control-expose-headers", b"ETag"),
+    (b"x-content-type-options", b"nosniff"),
+]
+"""On every answer of the API, errors included."""
+
 MOST_ERRORS = 20
 """Errors that one answer lists."""
 
@@ -56,7 +66,9 @@ def problem_response(
     The path is the scope's: `request.url` takes the query apart, which may be no UTF-8.
     """
     body = problem_bytes(status, detail, request.scope["path"], errors)
-    return Response(body, status, headers, MEDIA_TYPE)
+    response = Response(body, status, headers, MEDIA_TYPE)
+    response.raw_headers += API_HEADERS
+    return response
 
 
 def problem_bytes(
@@ -100,7 +112,7 @@ def unknown_parameter(name: str, value: object, known: Sequence[str]) -> Paramet
     return {"parameter": name, "value": value, "message": f"unknown parameter; {hint}"}
 
 
-def _problem_of(request: Request, status: int, errors: Sequence[ParameterError]) -> Response:
+def _refused(request: Request, status: int, errors: Sequence[ParameterError]) -> Response:
     shown: list[ParameterError] = [
         {
             "parameter": _clipped(e["parameter"]),
@@ -124,12 +136,12 @@ def _clipped(value: Any) -> Any:
     return value
 
 
-async def _on_bad_parameters(request: Request, error: BadParameters) -> Response:
-    return _problem_of(request, 422, error.errors)
+def _on_bad_parameters(request: Request, error: BadParameters) -> Response:
+    return _refused(request, 422, error.errors)
 
 
-async def _on_validation(request: Request, error: RequestValidationError) -> Response:
-    return _problem_of(
+def _on_validation(request: Request, error: RequestValidationError) -> Response:
+    return _refused(
         request,
         422,
         [
@@ -147,15 +159,20 @@ def _optics_error(error: OpticsError) -> ParameterError:
     return {"parameter": error.parameter, "value": str(error.value), "message": error.allowed}
 
 
-async def _on_optics(request: Request, error: OpticsError) -> Response:
-    return _problem_of(request, 422, [_optics_error(error)])
+def _on_optics(request: Request, error: OpticsError) -> Response:
+    return _refused(request, 422, [_optics_error(error)])
 
 
-async def _on_missing(request: Request, error: MissingResource) -> Response:
-    return _problem_of(request, 404, [_optics_error(error.cause)])
+def _on_missing(request: Request, error: MissingResource) -> Response:
+    return _refused(request, 404, [_optics_error(error.cause)])
 
 
-async def _on_http(request: Request, error: HTTPException) -> Response:
+def _on_overload(request: Request, error: Overloaded) -> Response:
+    detail = f"the server has no time for this now: {error.limit}; try again later"
+    return problem_response(request, 503, detail, headers={"Retry-After": str(error.retry_after_s)})
+
+
+def _on_http(request: Request, error: HTTPException) -> Response:
     headers = dict(error.headers) if error.headers else None
     detail = error.detail
     if error.status_code == 404 and detail == HTTPStatus.NOT_FOUND.phrase:
@@ -167,17 +184,34 @@ async def _on_http(request: Request, error: HTTPException) -> Response:
     return problem_response(request, error.status_code, detail, headers=headers)
 
 
-async def _on_crash(request: Request, _: Exception) -> Response:
-    # Starlette answers crashes outside of all middleware, that for CORS included.
-    headers = {"Access-Control-Allow-Origin": "*", "X-Content-Type-Options": "nosniff"}
-    return problem_response(request, 500, "the server failed; the fault was logged", (), headers)
+def _on_crash(request: Request, _: Exception) -> Response:
+    return problem_response(request, 500, "the server failed; the fault was logged")
+
+
+_ANSWERS: dict[type[Exception], Callable[[Request, Any], Response]] = {
+    BadParameters: _on_bad_parameters,
+    RequestValidationError: _on_validation,
+    OpticsError: _on_optics,
+    MissingResource: _on_missing,
+    Overloaded: _on_overload,
+    HTTPException: _on_http,
+}
+
+PROBLEMS = tuple(_ANSWERS)
+"""What is raised for a request that cannot be answered."""
+
+
+def problem_of(request: Request, error: Exception) -> Response:
+    """Answer a request that one of `PROBLEMS` was raised for; anything else is a crash."""
+    kind = next((kind for kind in type(error).__mro__ if kind in _ANSWERS), None)
+    return _on_crash(request, error) if kind is None else _ANSWERS[kind](request, error)
 
 
 def install(app: FastAPI) -> None:
     """Answer every error of `app` as a problem."""
-    app.exception_handler(BadParameters)(_on_bad_parameters)
-    app.exception_handler(RequestValidationError)(_on_validation)
-    app.exception_handler(OpticsError)(_on_optics)
-    app.exception_handler(MissingResource)(_on_missing)
-    app.exception_handler(HTTPException)(_on_http)
-    app.exception_handler(Exception)(_on_crash)
+
+    async def answer(request: Request, error: Exception) -> Response:
+        return problem_of(request, error)
+
+    for kind in (*PROBLEMS, Exception):
+        app.exception_handler(kind)(answer)

@@ -5,20 +5,20 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Annotated, Any, Literal
 
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from pydantic import Field
-from starlette.concurrency import run_in_threadpool
-from starlette.responses import Response
 
+from app.api.answers import Answer, Large
 from app.api.error_schemas import MEASURE, RecommendationOut, figures_json
 from app.api.params import InterfaceQuery, Number, TableQuery
-from app.api.responses import CONVENTION, interface_json, json_response
+from app.api.responses import CONVENTION, interface_json, json_body
 from app.api.route import QueryRoute
-from app.api.row_table import rows_csv_response
+from app.api.row_table import rows_csv_body
 from app.optics.interface import Interface
 from app.optics.metrics import METRICS, Metric
 from app.optics.recommendation import WEIGHTS, Candidate, recommend
 from app.optics.registry import Registry
+from app.ready import ReadyBody
 
 COLUMNS = ["model", "accepted", "weighted_cost", *METRICS, "albedo_error", "reason"]
 
@@ -53,7 +53,7 @@ def router(registry: Registry) -> APIRouter:
     """Routes over the models of `registry`."""
     routes = APIRouter(route_class=QueryRoute, tags=["errors"])
 
-    def respond(request: Request, query: RecommendQuery) -> Response:
+    def respond(query: RecommendQuery) -> ReadyBody:
         interface = query.interface()
         metric: Metric = "cosine_weighted_mean" if query.metric == "albedo_error" else query.metric
         accepted, refused = (
@@ -65,7 +65,7 @@ def router(registry: Registry) -> APIRouter:
                 {**row, **(row["figures"] or {}), "accepted": row["reason"] is None}
                 for row in (*accepted, *refused)
             ]
-            return rows_csv_response(request, COLUMNS, rows, query.digits, "fresnel_models.csv")
+            return rows_csv_body(COLUMNS, rows, query.digits, "fresnel_models.csv")
         payload = {
             "interface": interface_json(interface),
             "convention": CONVENTION,
@@ -76,12 +76,12 @@ def router(registry: Registry) -> APIRouter:
             "models": accepted,
             "refused": refused,
         }
-        return json_response(request, payload, query.digits)
+        return json_body(payload, query.digits)
 
     @routes.get(
         "/recommend", response_model=RecommendationOut, summary="The cheapest models that will do"
     )
-    async def recommended(request: Request, query: Annotated[RecommendQuery, Query()]) -> Response:
-        return await run_in_threadpool(respond, request, query)
+    def recommended(query: Annotated[RecommendQuery, Query()]) -> Answer:
+        return Large(respond, query)
 
     return routes

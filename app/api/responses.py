@@ -1,4 +1,4 @@
-"""Answers as ready bytes: JSON by orjson, CSV, compression, ETag and 304."""
+"""Answers as ready bytes: JSON by orjson, CSV."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from typing import Any
 
 import numpy as np
 import orjson
-from fastapi import Request
-from starlette.responses import Response
 
 from app.api.presets import PresetInterface
 from app.optics.angles import brewster_deg, critical_deg, pseudo_brewster_deg
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.ready import ReadyBody
+
+CSV = "text/csv; charset=utf-8"
 
 CONVENTION = (
     "time factor exp(-i w t); N = n_t + i k_t with k_t >= 0; r_p = -r_s at normal incidence; "
@@ -89,16 +89,16 @@ def interface_json(interface: Interface) -> dict[str, Any]:
     }
 
 
-def json_response(request: Request, payload: Any, digits: int = 17) -> Response:
-    """Answer with JSON; arrays are written by orjson without a Python loop, NaN as null."""
+def json_body(payload: Any, digits: int = 17) -> ReadyBody:
+    """Write JSON; arrays are written by orjson without a Python loop, NaN as null."""
     body = orjson.dumps(rounded(payload, digits), option=orjson.OPT_SERIALIZE_NUMPY)
-    return body_response(request, body, "application/json")
+    return ReadyBody(body, "application/json")
 
 
-def csv_response(
-    request: Request, columns: Mapping[str, Array], digits: int = 17, filename: str = "fresnel.csv"
-) -> Response:
-    """Answer with CSV: a header row, then one row an index; NaN is an empty field."""
+def csv_body(
+    columns: Mapping[str, Array], digits: int = 17, filename: str = "fresnel.csv"
+) -> ReadyBody:
+    """Write CSV: a header row, then one row an index; NaN is an empty field."""
     table = np.ascontiguousarray(
         np.column_stack([round_significant(column, digits) for column in columns.values()])
     )
@@ -110,12 +110,9 @@ def csv_response(
         + rows.replace(b"],[", b"\r\n").replace(b"null", b"")
         + b"\r\n"
     )
-    disposition = {"Content-Disposition": f'inline; filename="{filename}"'}
-    return body_response(request, body, "text/csv; charset=utf-8", disposition)
+    return ReadyBody(body, CSV, shown_as(filename))
 
 
-def body_response(
-    request: Request, body: bytes, media_type: str, headers: Mapping[str, str] | None = None
-) -> Response:
-    """Answer with ready bytes: ETag from the content, 304 where the client has it, compressed."""
-    return ReadyBody(body, media_type, headers).response(request)
+def shown_as(filename: str) -> dict[str, str]:
+    """Header that names the file which a browser saves."""
+    return {"Content-Disposition": f'inline; filename="{filename}"'}

@@ -1,4 +1,4 @@
-"""The route class of the API: strict queries, validated once, without FastAPI's per-field work."""
+"""The route class of the API: strict queries, validated once, and endpoints that are pure functions."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Coroutine, Mapping
 from itertools import islice
 from typing import Any
+from urllib.parse import parse_qsl
 
 from annotated_types import Ge, Le
 from fastapi import Request
@@ -14,44 +15,62 @@ from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 from starlette.responses import Response
 
+from app.api.answers import Answer
 from app.api.problems import MOST_ERRORS, BadParameters, ParameterError, unknown_parameter
 
 
 class QueryRoute(APIRoute):
-    """A GET route whose endpoint takes the request, path parameters and one query model.
+    """A GET route whose endpoint takes path parameters and one query model, and is a pure function.
 
     Unknown and repeated parameters are refused, so that nothing a client sends is lost, and the
     query is validated by pydantic in one step, where FastAPI would take it apart field by field in
-    Python. OpenAPI is FastAPI's own, from the endpoint's signature.
+    Python. OpenAPI is FastAPI's own, from the endpoint's signature. Requests are answered by
+    `app.front`, before FastAPI's routing: what an endpoint returns says all there is to be sent.
     """
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """Build the function that answers a request."""
-        endpoint, dependant = self.dependant.call, self.dependant
-        if endpoint is None or dependant.request_param_name is None or dependant.body_params:
-            raise TypeError(f"{self.path}: a QueryRoute takes the request and no body")
-        request_name = dependant.request_param_name
-        query_name, model = None, None
-        fields: Mapping[str, FieldInfo] = {}
-        for parameter in dependant.query_params:
-            query_name, model = parameter.name, parameter.field_info.annotation
+        """Read the endpoint's signature."""
+        if self.methods != {"GET"} or self.dependant.body_params:
+            raise TypeError(f"{self.path}: a QueryRoute answers GET and takes no body")
+        self._query_name: str | None = None
+        self._model: type[BaseModel] | None = None
+        self._fields: Mapping[str, FieldInfo] = {}
+        for parameter in self.dependant.query_params:
+            model = parameter.field_info.annotation
             if not (isinstance(model, type) and issubclass(model, BaseModel)):
-                raise TypeError(f"{self.path}: {query_name} must be a query model")
-            fields = {info.alias or name: info for name, info in model.model_fields.items()}
+                raise TypeError(f"{self.path}: {parameter.name} must be a query model")
+            self._query_name, self._model = parameter.name, model
+            self._fields = {info.alias or name: info for name, info in model.model_fields.items()}
+        return _answered_in_front
 
-        async def answer(request: Request) -> Response:
-            given = request.query_params.multi_items()
-            refuse_unknown_and_repeated(given, fields)
-            arguments: dict[str, Any] = {request_name: request, **request.path_params}
-            if query_name is not None and model is not None:
-                try:
-                    arguments[query_name] = model.model_validate(dict(given))
-                except ValidationError as error:
-                    raise BadParameters(*explain(error, fields)) from None
-            response: Response = await endpoint(**arguments)
-            return response
+    def read(self, query: bytes) -> BaseModel | None:
+        """Validate a query string; None for a route without parameters.
 
+        Raises
+        ------
+        BadParameters
+            Naming every parameter that is wrong.
+        """
+        given = parse_qsl(query.decode("latin-1"), keep_blank_values=True)
+        values = dict(given)
+        if len(values) < len(given) or not values.keys() <= self._fields.keys():
+            refuse_unknown_and_repeated(given, self._fields)
+        if self._model is None:
+            return None
+        try:
+            return self._model.model_validate(values)
+        except ValidationError as error:
+            raise BadParameters(*explain(error, self._fields)) from None
+
+    def answer(self, path: Mapping[str, str], query: BaseModel | None) -> Answer:
+        """Call the endpoint with the parts of the path and the query that `read` returned."""
+        named = {} if self._query_name is None else {self._query_name: query}
+        answer: Answer = self.endpoint(**path, **named)
         return answer
+
+
+async def _answered_in_front(request: Request) -> Response:
+    raise RuntimeError(f"{request.scope['path']} was routed here past app.front")
 
 
 def refuse_unknown_and_repeated(

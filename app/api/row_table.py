@@ -8,19 +8,16 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from fastapi import Request
-from starlette.responses import Response
-
-from app.api.responses import body_response, rounded
+from app.api.responses import CSV, rounded, shown_as
+from app.ready import ReadyBody
 
 
-def rows_csv_response(
-    request: Request,
+def rows_csv_body(
     header: Sequence[str],
     rows: Sequence[Mapping[str, Any]],
     digits: int,
     filename: str,
-) -> Response:
+) -> ReadyBody:
     """Answer with CSV: a header row, then one row each; None, NaN and infinity are empty fields."""
     text = io.StringIO()
     table = csv.DictWriter(text, header, extrasaction="ignore", lineterminator="\r\n")
@@ -28,8 +25,7 @@ def rows_csv_response(
     table.writerows(
         {name: _cell(row.get(name)) for name in header} for row in rounded(rows, digits)
     )
-    disposition = {"Content-Disposition": f'inline; filename="{filename}"'}
-    return body_response(request, text.getvalue().encode(), "text/csv; charset=utf-8", disposition)
+    return ReadyBody(text.getvalue().encode(), CSV, shown_as(filename))
 
 
 def _cell(value: object) -> object:

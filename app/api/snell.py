@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Annotated, Any
 
 import numpy as np
-from fastapi import APIRouter, Query, Request
-from starlette.responses import Response
+from fastapi import APIRouter, Query
 
+from app.api.answers import Answer
 from app.api.params import AngleQuery, DigitsQuery, InterfaceQuery
-from app.api.responses import CONVENTION, interface_json, json_response, number_or_null
+from app.api.responses import CONVENTION, interface_json, json_body, number_or_null
 from app.api.route import QueryRoute
 from app.api.schemas import SnellOut
 from app.optics.amplitudes import amplitudes, power
@@ -69,8 +69,8 @@ def router() -> APIRouter:
     routes = APIRouter(route_class=QueryRoute, tags=["optics"])
 
     @routes.get("/snell", response_model=SnellOut, summary="One ray at the surface")
-    async def snell(request: Request, query: Annotated[SnellQuery, Query()]) -> Response:
+    def snell(query: Annotated[SnellQuery, Query()]) -> Answer:
         ray = ray_json(query.interface(), Incidence.from_degrees(query.theta_i_deg))
-        return json_response(request, ray, query.digits)
+        return json_body(ray, query.digits)
 
     return routes

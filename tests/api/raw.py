@@ -29,6 +29,13 @@ def send(
     app: ASGIApp, target: bytes, method: str = "GET", headers: Mapping[str, str] | None = None
 ) -> Answer:
     """Ask `app` for `target`, path and query, split and decoded the way uvicorn does it."""
+    return asyncio.run(exchange(app, target, method, headers))
+
+
+async def exchange(
+    app: ASGIApp, target: bytes, method: str = "GET", headers: Mapping[str, str] | None = None
+) -> Answer:
+    """Ask as `send` does, within a loop that runs already."""
     raw_path, _, query = target.partition(b"?")
     scope: dict[str, Any] = {
         "type": "http",
@@ -52,12 +59,9 @@ def send(
     async def take(message: Message) -> None:
         sent.append(dict(message))
 
-    async def run() -> None:
-        # Starlette raises a crash again for the server's log after it was answered.
-        with suppress(Exception):
-            await app(scope, receive, take)
-
-    asyncio.run(run())
+    # Starlette raises a crash again for the server's log after it was answered.
+    with suppress(Exception):
+        await app(scope, receive, take)
     start = sent[0]
     return Answer(
         start["status"],

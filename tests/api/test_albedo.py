@@ -13,15 +13,11 @@ from typing import Any
 import httpx
 import numpy as np
 import pytest
-from fastapi import FastAPI
 
-from app.api import albedo as albedo_routes
-from app.api import problems
 from app.api.albedo_schemas import AlbedoOut, CoatOut, FitOut, FitsOut, MapOut, SweepOut
+from app.main import create_app
 from app.optics.albedo import FITS, albedo, coat_split, flatland_albedo
 from app.optics.interface import Interface
-from app.optics.registry import default_registry
-from app.settings import Settings
 
 GOLDEN = json.loads(
     (Path(__file__).parents[1] / "optics" / "reference" / "albedo.json").read_text("utf-8")
@@ -31,10 +27,7 @@ Get = Callable[..., httpx.Response]
 
 @pytest.fixture(scope="module")
 def get() -> Get:
-    app = FastAPI()
-    app.state.settings = Settings()
-    problems.install(app)
-    app.include_router(albedo_routes.router(default_registry()), prefix="/api/v1")
+    app = create_app()
 
     def ask(path: str, **parameters: Any) -> httpx.Response:
         async def request() -> httpx.Response:

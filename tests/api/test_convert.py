@@ -10,22 +10,17 @@ from typing import Any
 
 import httpx
 import pytest
-from fastapi import FastAPI
 
-from app.api import convert, problems
 from app.api.convert import ConvertOut
+from app.main import create_app
 from app.optics.color import decode_srgb
-from app.settings import Settings
 
 Get = Callable[..., httpx.Response]
 
 
 @pytest.fixture(scope="module")
 def get() -> Get:
-    app = FastAPI()
-    app.state.settings = Settings()
-    problems.install(app)
-    app.include_router(convert.router(), prefix="/api/v1")
+    app = create_app()
 
     def ask(**parameters: Any) -> httpx.Response:
         async def request() -> httpx.Response:

@@ -11,15 +11,12 @@ from typing import Any
 import httpx
 import numpy as np
 import pytest
-from fastapi import FastAPI
 
-from app.api import curves, problems
-from app.api import errors as error_routes
 from app.api.error_schemas import ErrorMapOut, ErrorsOut, ErrorSweepOut
+from app.main import create_app
 from app.optics.interface import Interface
 from app.optics.metrics import METRICS, measure
 from app.optics.registry import default_registry
-from app.settings import Settings
 
 Get = Callable[..., httpx.Response]
 REGISTRY = default_registry()
@@ -28,11 +25,7 @@ TRAPS = [model.id for model in REGISTRY.values() if "(trap)" in model.title]
 
 @pytest.fixture(scope="module")
 def get() -> Get:
-    app = FastAPI()
-    app.state.settings = Settings()
-    problems.install(app)
-    for module in (error_routes, curves):
-        app.include_router(module.router(REGISTRY), prefix="/api/v1")
+    app = create_app()
 
     def ask(path: str, parameters: dict[str, Any] | None = None, **more: Any) -> httpx.Response:
         async def request() -> httpx.Response:

@@ -11,13 +11,11 @@ from typing import Any
 import httpx
 import numpy as np
 import pytest
-from fastapi import FastAPI
 
-from app.api import curves, problems, recommend
 from app.api.error_schemas import RecommendationOut
+from app.main import create_app
 from app.optics.recommendation import BUDGET_METRICS
 from app.optics.registry import default_registry
-from app.settings import Settings
 
 Get = Callable[..., httpx.Response]
 REGISTRY = default_registry()
@@ -28,11 +26,7 @@ IRON = {"n_t": 2.9, "k_t": 3.0}
 
 @pytest.fixture(scope="module")
 def get() -> Get:
-    app = FastAPI()
-    app.state.settings = Settings()
-    problems.install(app)
-    for module in (recommend, curves):
-        app.include_router(module.router(REGISTRY), prefix="/api/v1")
+    app = create_app()
 
     def ask(path: str, parameters: dict[str, Any] | None = None, **more: Any) -> httpx.Response:
         async def request() -> httpx.Response:

@@ -9,11 +9,10 @@ from __future__ import annotations
 from typing import Annotated, Any
 
 import numpy as np
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from pydantic import Field
-from starlette.concurrency import run_in_threadpool
-from starlette.responses import Response
 
+from app.api.answers import Answer, Large
 from app.api.materials.queries import (
     Front,
     FrontQuery,
@@ -29,13 +28,14 @@ from app.api.materials.schemas import MaterialCurvesOut
 from app.api.model_parameters import parse_models
 from app.api.params import MAX_SAMPLES, Count, TableQuery
 from app.api.presets import default_catalog, reported_as
-from app.api.responses import CONVENTION, csv_response, json_response
+from app.api.responses import CONVENTION, csv_body, json_body
 from app.materials import Preset, Spectrum
 from app.optics.amplitudes import power
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.optics.registry import Model, Registry
+from app.ready import ReadyBody
 
 SHIRLEY_NM = (400.0, 500.0, 600.0, 700.0, 800.0)
 """The wavelengths of Shirley's figure of copper."""
@@ -104,9 +104,7 @@ def _written(number: float) -> str:
     return repr(number).removesuffix(".0")
 
 
-def curves_answer(
-    request: Request, preset: Preset, query: MaterialCurvesQuery, models: list[Model]
-) -> Response:
+def curves_answer(preset: Preset, query: MaterialCurvesQuery, models: list[Model]) -> ReadyBody:
     """Curves as JSON or CSV."""
     spectrum, front = default_catalog().spectrum(preset.id), query.front()
     wavelength_nm = wavelengths_of(spectrum, front, query)
@@ -128,7 +126,7 @@ def curves_answer(
         columns |= {f"R_{_written(curve['wavelength_nm'])}nm": curve["R"] for curve in single}
         for curve in rgb:
             columns |= {f"{curve['model']}.R_{name}": curve[f"R_{name}"] for name in CHANNELS}
-        return csv_response(request, columns, query.digits, f"{preset.id}_curves.csv")
+        return csv_body(columns, query.digits, f"{preset.id}_curves.csv")
     color = {name: getattr(query, name) for name in ("illuminant", "observer", "adaptation")}
     payload = {
         "material": described(preset),
@@ -139,7 +137,7 @@ def curves_answer(
         "rgb": color | {"gamut": query.gamut, "curves": rgb} if query.rgb else None,
         "warnings": list(dict.fromkeys(warnings)),
     }
-    return json_response(request, payload, query.digits)
+    return json_body(payload, query.digits)
 
 
 def add_curves(routes: APIRouter, registry: Registry) -> None:
@@ -150,11 +148,9 @@ def add_curves(routes: APIRouter, registry: Registry) -> None:
         response_model=MaterialCurvesOut,
         summary="R over the angle, per wavelength and as R, G and B",
     )
-    async def curves(
-        request: Request, material: str, query: Annotated[MaterialCurvesQuery, Query()]
-    ) -> Response:
+    def curves(material: str, query: Annotated[MaterialCurvesQuery, Query()]) -> Answer:
         preset = found(material)
         query.refuse_what_is_of_no_use()
         models = parse_models(query.models, registry)
         check_models(models, registry)
-        return await run_in_threadpool(curves_answer, request, preset, query, models)
+        return Large(curves_answer, preset, query, models)

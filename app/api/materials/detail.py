@@ -5,15 +5,15 @@ from __future__ import annotations
 from typing import Annotated, Any
 
 import numpy as np
-from fastapi import APIRouter, Query, Request
-from starlette.responses import Response
+from fastapi import APIRouter, Query
 
+from app.api.answers import Answer
 from app.api.materials.listing import row, swatch
 from app.api.materials.queries import ColorQuery, found, swatch_gamut
 from app.api.materials.schemas import MaterialDetailOut
 from app.api.params import DigitsQuery, Number, wavelength
 from app.api.presets import default_catalog, resolve_material
-from app.api.responses import json_response
+from app.api.responses import json_body
 from app.materials import Appearance, Preset, appearance, f82_tint
 from app.optics.color import WAVELENGTH_NM, Gamut, apply_gamut, linear_srgb, luminance
 from app.optics.interface import Interface
@@ -115,7 +115,5 @@ def add_detail(routes: APIRouter) -> None:
         response_model=MaterialDetailOut,
         summary="One material: constants, color, provenance, rivals",
     )
-    async def one(
-        request: Request, material: str, query: Annotated[DetailQuery, Query()]
-    ) -> Response:
-        return json_response(request, detailed(found(material), query), query.digits)
+    def one(material: str, query: Annotated[DetailQuery, Query()]) -> Answer:
+        return json_body(detailed(found(material), query), query.digits)

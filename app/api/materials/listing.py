@@ -6,15 +6,15 @@ from functools import lru_cache
 from typing import Annotated, Any, Literal
 
 import orjson
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from pydantic import Field
-from starlette.responses import Response
 
+from app.api.answers import Answer
 from app.api.materials.queries import swatch_gamut
 from app.api.materials.schemas import MaterialsOut
 from app.api.params import Count, DigitsQuery
 from app.api.presets import default_catalog
-from app.api.responses import json_response
+from app.api.responses import json_body
 from app.materials import Category, Preset
 from app.optics.color import Gamut, apply_gamut, srgb_hex
 from app.optics.errors import NotAllowed
@@ -111,7 +111,7 @@ def add_list(routes: APIRouter) -> None:
     """Add the list to `routes`."""
 
     @routes.get("/materials", response_model=MaterialsOut, summary="Media and materials by name")
-    async def materials(request: Request, query: Annotated[ListQuery, Query()]) -> Response:
+    def materials(query: Annotated[ListQuery, Query()]) -> Answer:
         if query.model_fields_set <= {"fields"}:
-            return whole_list(query.fields).response(request)
-        return json_response(request, listed(query), query.digits)
+            return whole_list(query.fields)
+        return json_body(listed(query), query.digits)

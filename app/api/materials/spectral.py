@@ -6,11 +6,10 @@ from collections.abc import Callable
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from pydantic import Field
-from starlette.concurrency import run_in_threadpool
-from starlette.responses import Response
 
+from app.api.answers import Answer, Large
 from app.api.materials.queries import (
     FrontQuery,
     boundary,
@@ -23,7 +22,7 @@ from app.api.materials.queries import (
 from app.api.materials.schemas import MapOut, SpectrumOut
 from app.api.params import MAX_SAMPLES, Count, Number, QueryModel, TableQuery, wavelength
 from app.api.presets import default_catalog
-from app.api.responses import CONVENTION, csv_response, json_response
+from app.api.responses import CONVENTION, csv_body, json_body
 from app.materials import Preset, Spectrum, WavelengthOutOfRange
 from app.materials.schema import Points, Quantity
 from app.optics.amplitudes import power
@@ -31,6 +30,7 @@ from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_T, Array
+from app.ready import ReadyBody
 
 FORMULA_POINTS = 241
 """Wavelengths in equal ratios at which a formula is evaluated where no step is asked for."""
@@ -143,7 +143,7 @@ def normal_reflectance(n: Array, k: Array | None) -> tuple[Array, list[str]]:
     return F0, [] if np.array_equal(known, computed) else [beyond]
 
 
-def spectrum_answer(request: Request, preset: Preset, query: SpectrumQuery) -> Response:
+def spectrum_answer(preset: Preset, query: SpectrumQuery) -> ReadyBody:
     """Constants over the wavelength as JSON or CSV."""
     spectrum = default_catalog().spectrum(preset.id)
     file, known = spectrum.file, known_range(spectrum)
@@ -167,7 +167,7 @@ def spectrum_answer(request: Request, preset: Preset, query: SpectrumQuery) -> R
         unknown = np.full(n.shape, np.nan)
         columns = {"wavelength_nm": wavelength_nm, "n": n, "k": unknown if k is None else k}
         name = f"{preset.id}_spectrum.csv"
-        return csv_response(request, columns | {"F0": F0}, query.digits, name)
+        return csv_body(columns | {"F0": F0}, query.digits, name)
     pair = {
         "n": native(file.n, low, high),
         "k": None if file.k is None else native(file.k, low, high),
@@ -184,10 +184,10 @@ def spectrum_answer(request: Request, preset: Preset, query: SpectrumQuery) -> R
         "native": pair if query.step_nm is None else None,
         "warnings": [*file.warnings, *unknown_k(spectrum), *said],
     }
-    return json_response(request, payload, query.digits)
+    return json_body(payload, query.digits)
 
 
-def map_answer(request: Request, preset: Preset, query: MapQuery) -> Response:
+def map_answer(preset: Preset, query: MapQuery) -> ReadyBody:
     """Reflectance over angle and wavelength as JSON, or as CSV with a row a cell."""
     spectrum, front = default_catalog().spectrum(preset.id), query.front()
     known = front.range_beside(spectrum)
@@ -205,7 +205,7 @@ def map_answer(request: Request, preset: Preset, query: MapQuery) -> Response:
             "theta_i_deg": np.tile(theta_i_deg, query.steps),
             query.quantity: values.ravel(),
         }
-        return csv_response(request, columns, query.digits, f"{preset.id}_map.csv")
+        return csv_body(columns, query.digits, f"{preset.id}_map.csv")
     payload = {
         "material": described(preset),
         "front": front.as_json(),
@@ -219,7 +219,7 @@ def map_answer(request: Request, preset: Preset, query: MapQuery) -> Response:
         "values": np.ascontiguousarray(values),
         "warnings": [*unknown_k(spectrum), *said],
     }
-    return json_response(request, payload, query.digits)
+    return json_body(payload, query.digits)
 
 
 def add_spectrum_and_map(routes: APIRouter) -> None:
@@ -230,17 +230,13 @@ def add_spectrum_and_map(routes: APIRouter) -> None:
         response_model=SpectrumOut,
         summary="n, k and F0 over the wavelength",
     )
-    async def spectrum(
-        request: Request, material: str, query: Annotated[SpectrumQuery, Query()]
-    ) -> Response:
-        return spectrum_answer(request, found(material), query)
+    def spectrum(material: str, query: Annotated[SpectrumQuery, Query()]) -> Answer:
+        return spectrum_answer(found(material), query)
 
     @routes.get(
         "/materials/{material}/map",
         response_model=MapOut,
         summary="Reflectance over angle and wavelength",
     )
-    async def theta_by_wavelength(
-        request: Request, material: str, query: Annotated[MapQuery, Query()]
-    ) -> Response:
-        return await run_in_threadpool(map_answer, request, found(material), query)
+    def theta_by_wavelength(material: str, query: Annotated[MapQuery, Query()]) -> Answer:
+        return Large(map_answer, found(material), query)

@@ -1,0 +1,62 @@
+"""Threads for what takes long, so that short requests are answered meanwhile."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import Any, TypeVar
+
+T = TypeVar("T")
+
+# Work that waits, for each thread: more would only be answered after its time is over.
+_WAITING = 16
+
+
+class Overloaded(Exception):
+    """The server has no time for a request now; `limit` says which limit was reached."""
+
+    def __init__(self, limit: str, retry_after_s: int = 1) -> None:
+        super().__init__(limit)
+        self.limit = limit
+        self.retry_after_s = retry_after_s
+
+
+class Pool:
+    """A bounded number of threads with a bounded queue before them.
+
+    Parameters
+    ----------
+    threads
+        How many computations run at a time.
+    timeout_s
+        How long one may take, its time in the queue included.
+    """
+
+    def __init__(self, threads: int, timeout_s: float) -> None:
+        self._executor = ThreadPoolExecutor(threads, thread_name_prefix="compute")
+        self._most = threads * (1 + _WAITING)
+        self._timeout_s = timeout_s
+        self._under_way: set[Future[Any]] = set()
+
+    async def run(self, function: Callable[[], T]) -> T:
+        """Call a function in a thread and wait for what it returns.
+
+        Raises
+        ------
+        Overloaded
+            If the queue is full or the time is over. A computation that has begun is not
+            interrupted: its thread is free again when it ends.
+        """
+        if len(self._under_way) >= self._most:
+            raise Overloaded(
+                f"{self._most} large computations are under way, and no more are taken"
+            )
+        future = self._executor.submit(function)
+        self._under_way.add(future)
+        future.add_done_callback(self._under_way.discard)
+        try:
+            return await asyncio.wait_for(asyncio.wrap_future(future), self._timeout_s)
+        except TimeoutError:
+            limit = f"the computation took longer than {self._timeout_s:g} s (FRESNEL_TIMEOUT_S)"
+            raise Overloaded(limit, retry_after_s=10) from None

@@ -1,0 +1,251 @@
+"""Answers in front of routing: found again however they are asked for, within a bound of memory."""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+import time
+import tracemalloc
+
+import pytest
+from fastapi import FastAPI
+from fastapi.routing import APIRoute
+from hypothesis import given
+from hypothesis import strategies as st
+from starlette.types import Receive, Scope, Send
+
+from app.api import curves
+from app.api.responses import interface_json
+from app.api.route import QueryRoute
+from app.cache import AnswerCache
+from app.main import create_app
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.pool import Overloaded, Pool
+from app.ready import ReadyBody
+from app.settings import Settings
+from tests.api.raw import Answer, exchange, send
+
+API = b"/api/v1"
+
+
+@pytest.fixture
+def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """How often the interface of a `/curves` answer was worked out."""
+    calls: list[int] = []
+    original = interface_json
+
+    def counting(interface: Interface) -> object:
+        calls.append(1)
+        return original(interface)
+
+    monkeypatch.setattr(curves, "interface_json", counting)
+    return calls
+
+
+class TestSameQuestion:
+    @pytest.mark.parametrize(
+        "again",
+        [
+            b"n_t=1.5&k_t=2&samples=7",
+            b"samples=7&k_t=2&n_t=1.5",
+            b"n_t=1.50&k_t=2.0&samples=7",
+            b"n_t=15e-1&k_t=%32&samples=07",
+            b"n_t=+1.5&k_t=2&samples=7",
+        ],
+    )
+    def test_is_computed_once(self, counted: list[int], again: bytes) -> None:
+        app = create_app()
+        first = send(app, API + b"/curves?n_t=1.5&k_t=2&samples=7")
+        assert send(app, API + b"/curves?" + again) == first
+        assert len(counted) == 1
+
+    def test_head_and_get_are_the_same_question(self, counted: list[int]) -> None:
+        app = create_app()
+        assert send(app, API + b"/curves?samples=7", "HEAD").body == b""
+        assert send(app, API + b"/curves?samples=7").body
+        assert len(counted) == 1
+
+    def test_errors_are_told_again_and_again(self) -> None:
+        app = create_app()
+        answers = [send(app, API + b"/curves?samples=1") for _ in range(3)]
+        assert [answer.status for answer in answers] == [422] * 3
+
+    def test_a_default_that_may_not_be_given_is_refused_after_its_like_was_answered(self) -> None:
+        app = create_app()
+        assert send(app, API + b"/curves?models=exact").status == 200
+        refused = send(app, API + b"/curves?models=exact&lazanyi2005.alpha=1")
+        assert refused.status == 422
+        assert send(app, API + b"/curves?material=Au").status == 200
+        assert send(app, API + b"/curves?material=Au&n_t=1.5").status == 422
+
+    @pytest.mark.parametrize("target", [b"/snell?n_t=2", b"/snell?n_t=2&digits=5"])
+    def test_another_path_is_another_question(self, target: bytes) -> None:
+        app = create_app()
+        other = target.replace(b"snell", b"curves")
+        assert send(app, API + target).body != send(app, API + other).body
+
+    def test_minus_zero_is_zero(self, app: FastAPI) -> None:
+        plain = send(app, API + b"/snell?k_t=0&theta_i_deg=0")
+        for zero in (b"-0", b"-0.0", b"-0e5", b"-.0"):
+            assert send(app, API + b"/snell?theta_i_deg=" + zero + b"&k_t=" + zero) == plain
+        assert send(app, API + b"/snell?k_t=-").status == 422
+
+    @given(
+        n_t=st.floats(1e-3, 100.0),
+        k_t=st.floats(0.0, 100.0),
+        order=st.permutations(["n_t", "k_t", "samples"]),
+    )
+    def test_any_spelling_gives_the_answer_of_a_server_without_a_cache(
+        self, app: FastAPI, n_t: float, k_t: float, order: list[str]
+    ) -> None:
+        spelled = {"n_t": f"{n_t:.17e}".replace("e+", "e"), "k_t": repr(k_t), "samples": "5"}
+        query = "&".join(f"{name}={spelled[name]}" for name in order).encode()
+        plain = f"n_t={n_t!r}&k_t={k_t!r}&samples=5".encode()
+        cached = send(app, API + b"/curves?" + query)
+        assert cached.body == send(uncached(), API + b"/curves?" + plain).body
+
+
+UNCACHED: list[FastAPI] = []
+
+
+def uncached() -> FastAPI:
+    """An application that keeps nothing."""
+    if not UNCACHED:
+        UNCACHED.append(create_app(Settings(cache_bytes=0)))
+    return UNCACHED[0]
+
+
+def test_every_get_of_the_api_is_answered_in_front(app: FastAPI) -> None:
+    paths = {path for path, on in app.openapi()["paths"].items() if "get" in on}
+    assert paths
+    for route in app.routes:
+        assert not isinstance(route, APIRoute) or isinstance(route, QueryRoute)
+    for path in paths:
+        answer = send(app, path.replace("{", "").replace("}", "").encode())
+        assert answer.status != 500, path
+
+
+def test_the_api_below_another_path_is_found() -> None:
+    app = create_app()
+
+    async def below(scope: Scope, receive: Receive, send: Send) -> None:
+        moved = {"root_path": "/below", "path": "/below" + scope["path"]}
+        await app({**scope, **moved}, receive, send)
+
+    assert send(below, API + b"/snell") == send(app, API + b"/snell")
+
+
+class TestCache:
+    def test_equal_answers_are_kept_once(self) -> None:
+        cache = AnswerCache(10**6)
+        first = cache.put(ReadyBody(b"x" * 5000, "text/plain"), "a", 10)
+        assert cache.put(ReadyBody(b"x" * 5000, "text/plain"), "b", 10) is first
+        assert cache.get("a") is cache.get("b") is first
+        assert len(cache) == 1
+
+    def test_the_longest_unused_goes_first(self) -> None:
+        cache = AnswerCache(100_000)
+        for name in "abc":
+            cache.put(ReadyBody(name.encode() * 25_000, "text/plain"), name, 1)
+        cache.get("a")
+        cache.put(ReadyBody(b"d" * 25_000, "text/plain"), "d", 1)
+        assert [cache.get(name) is not None for name in "abcd"] == [True, False, True, True]
+
+    def test_compressed_forms_count(self) -> None:
+        cache = AnswerCache(10**6)
+        ready = cache.put(ReadyBody(bytes(range(256)) * 40, "text/plain"), "a", 1)
+        before = cache.bytes
+        packed = ready.encoded("gzip")
+        assert cache.get("a") is ready
+        assert cache.bytes == before + len(packed)
+
+    def test_what_is_larger_than_all_room_is_not_kept(self) -> None:
+        cache = AnswerCache(10_000)
+        cache.put(ReadyBody(b"x" * 20_000, "text/plain"), "a", 1)
+        assert (cache.get("a"), len(cache), cache.bytes) == (None, 0, 0)
+
+    def test_many_spellings_of_one_question_do_not_grow_without_bound(self) -> None:
+        cache = AnswerCache(50_000)
+        for i in range(1000):
+            cache.put(ReadyBody(b"same", "text/plain"), f"{i}", 100)
+            assert cache.bytes <= 50_000
+
+    def test_memory_stays_within_the_bound(self) -> None:
+        limit = 2_000_000
+        app = create_app(Settings(cache_bytes=limit))
+        send(app, API + b"/curves?models=exact,schlick")  # what is made once a process
+        tracemalloc.start()
+        try:
+            for i in range(400):  # 400 answers of some 20 kB, four times what there is room for
+                target = API + b"/curves?models=exact,schlick&n_t=1.%d" % (500 + i)
+                assert send(app, target).status == 200
+            held, _ = tracemalloc.get_traced_memory()
+        finally:
+            tracemalloc.stop()
+        assert limit / 2 < held < 1.5 * limit
+
+
+class TestPool:
+    def test_no_more_wait_than_can_be_answered(self) -> None:
+        async def flood() -> list[object]:
+            pool, go = Pool(1, 60.0), threading.Event()
+            asked = [asyncio.create_task(pool.run(go.wait)) for _ in range(40)]
+            await asyncio.sleep(0.01)
+            go.set()
+            return await asyncio.gather(*asked, return_exceptions=True)
+
+        answers = asyncio.run(flood())
+        assert sum(answer is True for answer in answers) == 17
+        assert all(a is True or isinstance(a, Overloaded) for a in answers)
+
+    def test_what_takes_too_long_is_given_up(self) -> None:
+        async def wait() -> None:
+            pool, go = Pool(1, 0.05), threading.Event()
+            with pytest.raises(Overloaded, match="FRESNEL_TIMEOUT_S"):
+                await pool.run(go.wait)
+            go.set()
+            assert await pool.run(lambda: "again") == "again"
+
+        asyncio.run(wait())
+
+    def test_a_failure_is_passed_on(self) -> None:
+        async def fail() -> None:
+            with pytest.raises(ZeroDivisionError):
+                await Pool(1, 1.0).run(lambda: 1 // 0)
+
+        asyncio.run(fail())
+
+
+def test_a_computation_that_takes_too_long_is_a_problem_with_retry_after() -> None:
+    app = create_app(Settings(timeout_s=1e-6))
+    answer = send(app, API + b"/errors/map?x_steps=300&y_steps=300&x=n_t&y=k_t")
+    assert answer.status == 503
+    assert answer.headers["content-type"] == "application/problem+json"
+    assert int(answer.headers["retry-after"]) > 0
+    assert "FRESNEL_TIMEOUT_S" in answer.json()["detail"]
+
+
+def test_equal_large_questions_at_a_time_are_computed_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    calls: list[int] = []
+    original = curves.sampled_angles
+
+    def slow(interface: Interface, samples: int, landmarks: bool) -> Array:
+        calls.append(1)
+        time.sleep(0.1)
+        return original(interface, samples, landmarks)
+
+    monkeypatch.setattr(curves, "sampled_angles", slow)
+    app = create_app()
+    target = API + b"/curves?samples=20001&models=exact,schlick"
+    answers: list[Answer] = asyncio.run(together(app, target, 5))
+    assert len({answer.body for answer in answers}) == 1
+    assert len(calls) == 1
+    assert len(answers[0].body) > 100_000
+
+
+async def together(app: FastAPI, target: bytes, times: int) -> list[Answer]:
+    """Ask the same several times at once."""
+    return await asyncio.gather(*(exchange(app, target) for _ in range(times)))
