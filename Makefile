@@ -10,7 +10,7 @@ BROWSERS := chromium chromium-browser google-chrome-stable google-chrome
 export PATH := $(CURDIR)/$(BIN):$(CURDIR)/node_modules/.bin:$(PATH)
 
 .NOTPARALLEL:
-.PHONY: help run test format lint types unit browser bench lock vendor readme pictures chromium clean
+.PHONY: help run test format lint types unit browser bench lock vendor readme pictures chromium glslang clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -35,7 +35,7 @@ types: $(VENV)/test.stamp node_modules/stamp ## static types: Python, then JavaS
 	mypy
 	tsc
 
-unit: $(VENV)/test.stamp node_modules/stamp ## every test that needs no browser
+unit: $(VENV)/test.stamp node_modules/stamp glslang ## every test that needs no browser
 	node --test tests/js/*.test.js
 	pytest tests --ignore tests/browser
 
@@ -84,12 +84,20 @@ node_modules/stamp: package-lock.json requirements-node.lock | $(BIN)/python
 	npm ci --ignore-scripts --no-audit --no-fund
 	@touch $@
 
-chromium: # by apt where there is none and apt may be used; elsewhere the browser tests skip, and fail in CI
-	@for browser in "$$CHROME_PATH" $(BROWSERS); do command -v "$$browser" >/dev/null && exit 0; done; \
-	command -v apt-get >/dev/null || exit 0; \
-	if [ "$$(id -u)" = 0 ]; then root=; elif sudo -n true 2>/dev/null; then root=sudo; else exit 0; fi; \
-	$$root apt-get update && $$root apt-get install -y --no-install-recommends chromium \
-	  || echo "Chromium could not be installed" >&2
+# By apt where there is none of these and apt may be used; elsewhere what needs them skips, and fails in CI.
+chromium:
+	$(call apt,chromium,"$$CHROME_PATH" $(BROWSERS))
+
+glslang:
+	$(call apt,glslang-tools,glslangValidator)
+
+define apt
+@for program in $(2); do command -v "$$program" >/dev/null && exit 0; done; \
+command -v apt-get >/dev/null || exit 0; \
+if [ "$$(id -u)" = 0 ]; then root=; elif sudo -n true 2>/dev/null; then root=sudo; else exit 0; fi; \
+$$root apt-get update && $$root apt-get install -y --no-install-recommends $(1) \
+  || echo "$(1) could not be installed" >&2
+endef
 
 clean: ## remove everything that make made
 	rm -rf $(VENV) node_modules .pytest_cache .mypy_cache .ruff_cache .hypothesis

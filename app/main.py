@@ -17,6 +17,7 @@ from app.api import (
     models,
     problems,
     recommend,
+    shaders,
     snell,
 )
 from app.api.route import QueryRoute
@@ -78,6 +79,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         albedo.router(registry),
         albedo_grids.router(registry),
         materials.router(registry),
+        shaders.router(registry),
     ]
     problems.install(app)
     app.add_middleware(OpenToOtherPages, prefixes=(f"{API_PREFIX}/", "/openapi.json"))

@@ -16,6 +16,7 @@ from app.api.problems import MissingResource
 from app.api.responses import json_body
 from app.api.route import QueryRoute
 from app.api.schemas import ModelOut, ModelsOut, ParametersOut
+from app.api.shaders import shader_url
 from app.optics.errors import NotAllowed, UnknownModel
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG
 from app.optics.registry import Model, Registry
@@ -46,6 +47,7 @@ def describe(model: Model) -> dict[str, Any]:
         "validity": model.validity,
         "cost": asdict(model.cost),
         "measured": [asdict(measured) for measured in model.measured],
+        "shaders": shader_url(model),
     }
 
 

@@ -138,6 +138,9 @@ class ModelOut(BaseModel):
     validity: str
     cost: dict[str, int] = Field(description="Operations of one evaluation.")
     measured: list[MeasuredOut] = Field(description="Errors at representative interfaces.")
+    shaders: str | None = Field(
+        description="Where it is as code for shaders; null where it has no closed form."
+    )
 
 
 class ModelsOut(BaseModel):

@@ -99,6 +99,10 @@ class Model:
         its own, as at the texels of a table, so that integrals can be split there.
     measured
         Errors at representative interfaces, each of which a test measures again.
+    snippet
+        What is handed out as shader code: `function` itself unless given; another function of mu and
+        quantities of the interface, equal to it but fit for 32 bit floats and real arithmetic; or
+        in words why there is none.
     """
 
     id: str
@@ -115,6 +119,7 @@ class Model:
     limits: Callable[[Interface], str | None] = field(default=lambda _: None)
     kinks: Callable[..., Array] | None = None
     measured: tuple[Measured, ...] = ()
+    snippet: Callable[..., Array] | str | None = None
 
     def __post_init__(self) -> None:
         """Refuse a parameter without a default that nothing solves."""

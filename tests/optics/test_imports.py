@@ -16,14 +16,16 @@ ROOT = Path(__file__).parents[2]
 LAYERS = {
     "app.optics": set(),
     "app.materials": {"app.optics"},
+    "app.snippets": {"app.optics"},
     "app.ready": set(),
-    "app.api": {"app.materials", "app.optics", "app.ready"},
+    "app.api": {"app.materials", "app.optics", "app.ready", "app.snippets"},
     "app.page": {"app.ready"},
     "app.routing": set(),
     "app.settings": set(),
 }
 OUTSIDE = {
     "app.optics": {"numpy", "scipy"},
+    "app.snippets": set(),
     "app.materials": {"numpy", "scipy", "pydantic", "yaml", "orjson"},
 }
 WEB = {"fastapi", "starlette", "uvicorn", "pydantic", "pydantic_core", "orjson", "typer"}

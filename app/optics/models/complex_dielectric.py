@@ -31,6 +31,7 @@ MODEL = Model(
     "modulus. Right at normal and at grazing incidence, where the two agree.",
     cost=Cost(add=24, mul=37, div=2, sqrt=4),
     function=complex_dielectric,
+    snippet="a trap made of complex numbers, which shading languages lack; take exact",
     limits=lambda _: "a misunderstanding: the squares of complex amplitudes are not powers",
     measured=(
         Measured(1, 0.27, 2.9, max_abs=0.819, at_deg=72.7, rms=0.377),

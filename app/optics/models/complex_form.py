@@ -32,4 +32,6 @@ MODEL = Model(
     "as N approaches n_i, and is 0/0 for N = n_i at 90 degrees.",
     cost=Cost(add=15, mul=25, div=2, sqrt=3),
     function=complex_form,
+    snippet="it is written in complex numbers, which shading languages lack; exact is the same in "
+    "real ones",
 )

@@ -2,10 +2,13 @@
 
 from collections.abc import Mapping
 
+import numpy as np
+
 from app.optics.amplitudes import power
 from app.optics.edge_tint import REFLECTANCE, TINT_ANGLE, deon_G, deon_index, relative_interface
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.models.exact import exact_real
 from app.optics.parameters import Array
 from app.optics.registry import Cost, Model
 
@@ -13,6 +16,15 @@ from app.optics.registry import Cost, Model
 def deon_rg(interface: Interface, incidence: Incidence, r: Array, G: Array) -> Array:  # noqa: ARG001
     """Exact R of the index that r and G stand for."""
     return power(relative_interface(*deon_index(r, G)), incidence).R
+
+
+def deon_rg_real(mu: Array, r: Array, G: Array) -> Array:
+    """The same in real arithmetic."""
+    root = np.sqrt(r)
+    rho = 2.0 * root / (1.0 - r)
+    eta = (1.0 - root) / (1.0 + root) + 2.0 * rho * np.cos(0.5 * np.pi * G) ** 2
+    kappa = rho * np.sin(np.pi * G)
+    return exact_real(mu, eta, kappa)
 
 
 def _solve(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
@@ -32,6 +44,7 @@ MODEL = Model(
     "that reflectance, G = 1 the one with n_t < n_i.",
     cost=Cost(add=20, mul=31, div=5, sqrt=4, trig=2),
     function=deon_rg,
+    snippet=deon_rg_real,
     parameters=(REFLECTANCE, TINT_ANGLE),
     solve=_solve,
 )

@@ -14,6 +14,7 @@ from app.optics.edge_tint import (
 )
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.models.exact import exact_real
 from app.optics.parameters import Array
 from app.optics.registry import Cost, Model
 
@@ -21,6 +22,17 @@ from app.optics.registry import Cost, Model
 def gulbrandsen_rg(interface: Interface, incidence: Incidence, r: Array, g: Array) -> Array:  # noqa: ARG001
     """Exact R of the index that r and g stand for."""
     return power(relative_interface(*gulbrandsen_index(r, g)), incidence).R
+
+
+def gulbrandsen_rg_real(mu: Array, r: Array, g: Array) -> Array:
+    """The same in real arithmetic."""
+    root = np.sqrt(r)
+    n_max = (1.0 + root) / (1.0 - root)
+    n_min = (1.0 - r) / (1.0 + r)
+    eta = g * n_min + (1.0 - g) * n_max
+    # (r (n + 1)^2 - (n - 1)^2)/(1 - r), factored so that it is 0 for g = 0 after rounding too.
+    kappa2 = g * (n_max - n_min) * (eta - (1.0 - root) / (1.0 + root))
+    return exact_real(mu, eta, np.sqrt(np.maximum(kappa2, 0.0)))
 
 
 def _solve(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
@@ -46,6 +58,7 @@ MODEL = Model(
     "1. Below, the g worked out exceeds 1 and cannot be given, but its curve is still exact.",
     cost=Cost(add=23, mul=30, div=6, sqrt=4),
     function=gulbrandsen_rg,
+    snippet=gulbrandsen_rg_real,
     parameters=(REFLECTANCE, EDGE_TINT),
     solve=_solve,
     limits=_outside,

@@ -23,6 +23,14 @@ def schlick_tir(interface: Interface, incidence: Incidence) -> Array:
     return np.where(dense & (interface.k_t > 0.0), np.nan, R)
 
 
+def schlick_tir_real(mu: Array, eta: Array, F0: Array) -> Array:
+    """The same for dielectrics, from eta alone."""
+    sin2 = (1.0 - mu) * (1.0 + mu)
+    cos2_t = 1.0 - sin2 / (eta * eta)
+    cosine = np.where(eta < 1.0, np.sqrt(np.maximum(cos2_t, 0.0)), mu)
+    return np.where(cos2_t < 0.0, 1.0, polynomial(F0, cosine))
+
+
 MODEL = Model(
     id="schlick_tir",
     title="Schlick with total internal reflection",
@@ -36,6 +44,7 @@ MODEL = Model(
     "thinner, because both see the same pair of angles.",
     cost=Cost(add=4, mul=6, sqrt=1),
     function=schlick_tir,
+    snippet=schlick_tir_real,
     measured=(
         Measured(1, 1.333, 0, max_abs=0.0592, at_deg=83.8, rms=0.0246),
         Measured(1, 1.5, 0, max_abs=0.0357, at_deg=85.0, rms=0.0163),

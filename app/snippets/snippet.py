@@ -1,0 +1,132 @@
+"""A model as code to take away: its formula with what has to be known of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+
+from app.optics.parameters import K_T, MU, N_I, N_T
+from app.optics.registry import Measured, Model
+from app.snippets.formula import Formula, Untranslatable, read
+from app.snippets.languages import Language
+
+_MEANINGS = {p.name: p.description for p in (MU, N_I, N_T, K_T)} | {
+    "eta": "Relative index n_t / n_i.",
+    "kappa": "Relative extinction k_t / n_i.",
+    "F0": "Reflectance at normal incidence, linear.",
+    "F82": "Reflectance at cos(theta_i) = 1/7, linear.",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Argument:
+    """An argument of a snippet.
+
+    Attributes
+    ----------
+    name, description
+        As everywhere: mu, n_i, n_t, k_t, eta, kappa, F0 or a parameter of the model.
+    per_channel
+        Whether it differs from channel to channel of a color.
+    """
+
+    name: str
+    description: str
+    per_channel: bool
+
+
+def formula_of(model: Model) -> Formula:
+    """Read the model's formula.
+
+    Raises
+    ------
+    Untranslatable
+        If the model has no closed form of real numbers; the message says why.
+    """
+    return _formula_of(model.id, model)
+
+
+def reason_without(model: Model) -> str | None:
+    """Why there is no snippet of the model, or None if there is one."""
+    try:
+        formula_of(model)
+    except Untranslatable as error:
+        return str(error)
+    return None
+
+
+@lru_cache(maxsize=256)
+def _formula_of(name: str, model: Model) -> Formula:
+    if isinstance(model.snippet, str):
+        raise Untranslatable(model.snippet)
+    return read(model.snippet or model.function, name)
+
+
+def arguments_of(model: Model) -> tuple[Argument, ...]:
+    """List the snippet's arguments in their order.
+
+    Raises
+    ------
+    Untranslatable
+        If the model has no closed form of real numbers.
+    """
+    own = {parameter.name: parameter for parameter in model.parameters}
+    listed: list[Argument] = []
+    for name in formula_of(model).arguments:
+        if name in own:
+            parameter = own[name]
+            meaning = _MEANINGS.get(name) or parameter.description.partition(" Three values")[0]
+            listed.append(Argument(name, meaning, parameter.triple or parameter.default is None))
+        else:
+            listed.append(Argument(name, _MEANINGS[name], name not in ("mu", "n_i")))
+    return tuple(listed)
+
+
+def write(model: Model, language: Language, channels: int = 1) -> str:
+    """Write the model in a language, with its source, domain and measured errors as comments.
+
+    Parameters
+    ----------
+    model
+        Any model with a closed form.
+    language
+        One of `LANGUAGES`.
+    channels
+        1 for a function of real numbers; 3 adds one of colors, `<id>_rgb`, that calls it three times.
+        Python needs none: its arrays broadcast.
+
+    Raises
+    ------
+    Untranslatable
+        If the model has no closed form of real numbers.
+    """
+    formula, arguments = formula_of(model), arguments_of(model)
+    lines = language.commented([*_told(model), *(f"{a.name}: {a.description}" for a in arguments)])
+    if language.id == "python":
+        lines += ["", "import numpy as np"]
+    functions = [language.function(part) for part in formula.everything()]
+    colors = [argument.name for argument in arguments if argument.per_channel]
+    if channels == 3 and colors:
+        functions.append(language.per_channel(formula, colors))
+    between = ["", ""] if language.id == "python" else [""]
+    for function in filter(None, functions):
+        lines += [*between, *function]
+    return "\n".join(lines) + "\n"
+
+
+def _told(model: Model) -> Iterator[str]:
+    yield f"{model.title}: reflectance of unpolarized light, 0 to 1"
+    yield f"Source: {model.reference}"
+    yield f"Domain ({', '.join(model.applies_to)}): {model.validity}"
+    if model.kind == "exact":
+        yield "Error: none but rounding"
+    else:
+        errors = "; ".join(_error(measured) for measured in model.measured)
+        yield f"Error, measured, largest of |R - exact|: {errors}"
+
+
+def _error(measured: Measured) -> str:
+    index = f"{measured.n_t:g}" + (f" + {measured.k_t:g}i" if measured.k_t else "")
+    at = f"{measured.at_deg:g} degrees"
+    return f"{measured.max_abs:g} at {at}, from n = {measured.n_i:g} to {index}"

@@ -1,0 +1,62 @@
+"""Every snippet, compiled and run by Chromium in 32 bit floats, against the model in 64."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from playwright.sync_api import BrowserType, Page
+
+from app.optics.registry import Model
+from app.snippets.languages import LANGUAGES
+from app.snippets.snippet import arguments_of, write
+from tests.browser.gpu import run
+from tests.snippets.cases import MODELS, cases
+
+SCHLICK, CONDUCTOR, DIELECTRIC = 5e-7, 2e-6, 1e-5
+TRIGONOMETRY = 1e-3
+"""The software GPU's own sine and cosine are wrong by 1.9e-4, its arc cosine by 7e-5."""
+
+
+def tolerance(model: Model, interface: tuple[float, float, float]) -> float:
+    n_i, n_t, k_t = interface
+    if model.cost.trig:
+        return TRIGONOMETRY
+    if k_t > 0.0 and (model.kind == "exact" or model.cost.pow):
+        return CONDUCTOR
+    if n_t < n_i and k_t == 0.0:
+        return DIELECTRIC
+    if model.kind == "exact" or model.id == "cook_torrance":
+        return DIELECTRIC
+    return CONDUCTOR if model.cost.pow else SCHLICK
+
+
+@pytest.fixture(scope="module")
+def gpu_page(
+    browser_type: BrowserType, browser_type_launch_args: dict[str, Any], server_url: str
+) -> Iterator[Page]:
+    """A page in a browser of its own that may use the software GPU for WebGPU too."""
+    arguments = [*browser_type_launch_args["args"], "--enable-unsafe-webgpu"]
+    browser = browser_type.launch(**browser_type_launch_args | {"args": arguments})
+    page = browser.new_page()
+    page.goto(f"{server_url}/docs")
+    yield page
+    browser.close()
+
+
+@pytest.mark.parametrize("model", MODELS, ids=lambda model: model.id)
+@pytest.mark.parametrize("language", ["glsl", "wgsl"])
+def test_equals_the_model(gpu_page: Page, language: str, model: Model) -> None:
+    code = write(model, LANGUAGES[language], 3)
+    per_channel = [argument.per_channel for argument in arguments_of(model)]
+    worst = {}
+    for case in cases(model):
+        values = run(gpu_page, language, code, model.id, per_channel, case.arguments)
+        if isinstance(values, str):
+            (pytest.fail if os.environ.get("CI") else pytest.skip)(values)
+        error = np.max(np.abs(values - case.R[:, np.newaxis]))
+        worst[case.interface] = error / tolerance(model, case.interface)
+    assert max(worst.values()) <= 1.0, worst

@@ -1,0 +1,199 @@
+"""Snippets: the Python runs and equals the model, compilers take GLSL and HLSL, what is refused."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.registry import Model, default_registry
+from app.snippets.formula import Untranslatable, read
+from app.snippets.languages import LANGUAGES, WIDTH
+from app.snippets.snippet import reason_without, write
+from tests.snippets.cases import MODELS, cases
+
+Array = NDArray[np.float64]
+
+ROUNDING = 1e-13
+"""Of the snippets' forms, which lose a few digits where the models do not."""
+
+over_models = pytest.mark.parametrize("model", MODELS, ids=lambda model: model.id)
+
+
+def executed(model: Model) -> Any:
+    names: dict[str, Any] = {}
+    exec(write(model, LANGUAGES["python"], 3), names)  # noqa: S102
+    return names[model.id]
+
+
+def test_only_what_says_why_has_none() -> None:
+    without = {m.id: reason_without(m) for m in default_registry().values() if m not in MODELS}
+    assert set(without) == {"complex_form", "complex_dielectric", "lut_1d"}
+    assert all(default_registry()[model].snippet == why for model, why in without.items())
+
+
+@over_models
+def test_python_equals_the_model(model: Model) -> None:
+    function = executed(model)
+    seen = 0
+    for case in cases(model, exactly=True):
+        with np.errstate(all="ignore"):
+            values = function(*case.arguments)
+        assert np.max(np.abs(values - case.R)) < ROUNDING
+        seen += case.R.size
+    assert seen > 400
+
+
+@over_models
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_says_what_has_to_be_known(model: Model, language: str) -> None:
+    code = write(model, LANGUAGES[language], 3)
+    start = LANGUAGES[language].comment
+    comments = " ".join(
+        line.removeprefix(start).strip() for line in code.splitlines() if line.startswith(start)
+    )
+    for told in (model.title, model.reference, model.validity):
+        assert told in comments
+    assert all(f"{m.max_abs:g} at {m.at_deg:g} degrees" in comments for m in model.measured)
+    assert all(len(line) <= WIDTH + 8 for line in code.splitlines())
+    assert len(code.splitlines()) < 70
+
+
+@pytest.fixture(scope="module")
+def validator() -> str:
+    """The reference compiler; without it skip on a laptop and fail in CI."""
+    found = shutil.which("glslangValidator")
+    if found is None:
+        reason = "no glslangValidator: install glslang-tools"
+        if os.environ.get("CI"):
+            pytest.fail(reason)
+        pytest.skip(reason)
+    return found
+
+
+FRAMES = {
+    "glsl": "#version 300 es\nprecision highp float;\nout vec4 result;\n{}\n"
+    "void main() {{ result = vec4(0.0); }}\n",
+    "hlsl": "{}\nfloat4 main() : SV_TARGET {{ return 0.0; }}\n",
+}
+
+
+def compiled(validator: str, language: str, code: str, tmp_path: Path) -> str | None:
+    path = tmp_path / "snippet.frag"
+    path.write_text(FRAMES[language].format(code), "utf-8")
+    options = ["-D", "-e", "main", "-V"] if language == "hlsl" else []
+    command = [validator, *options, str(path), *(["-o", os.devnull] if options else [])]
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    return None if run.returncode == 0 else run.stdout
+
+
+@pytest.mark.parametrize("language", FRAMES)
+@over_models
+def test_compiles(validator: str, model: Model, language: str, tmp_path: Path) -> None:
+    code = write(model, LANGUAGES[language], 3)
+    assert compiled(validator, language, code, tmp_path) is None
+    wrong = code.replace("return", "return undeclared +", 1)
+    assert compiled(validator, language, wrong, tmp_path) is not None
+
+
+CONSTANT = 2.5
+
+
+def doubled(x: Array) -> Array:
+    return 2.0 * x
+
+
+def busy(x: Array) -> Array:
+    y = x + 1.0
+    return np.asarray(y * y)
+
+
+def made(interface: Interface, incidence: Incidence, share: Array) -> Array:
+    """All that a formula may hold."""
+    eta, c = interface.eta, incidence.cos
+    # Two lines that belong
+    # to what stands below.
+    inside = (c > 0.5) & ~(eta == CONSTANT)
+    return np.where(inside, busy(-share), doubled(eta) - (c - share) ** 3 / (c * share))
+
+
+class TestReading:
+    def test_every_language_writes_the_same(self) -> None:
+        formula = read(made)
+        assert formula.arguments == ("mu", "eta", "share")
+        (glsl, osl, wgsl) = (
+            "\n".join(LANGUAGES[x].function(formula)) for x in ("glsl", "osl", "wgsl")
+        )
+        assert glsl == (
+            "float made(float mu, float eta, float share) {\n"
+            "    const float CONSTANT = 2.5;\n"
+            "    float c = mu;\n"
+            "    // Two lines that belong\n"
+            "    // to what stands below.\n"
+            "    bool inside = (c > 0.5) && !(eta == CONSTANT);\n"
+            "    return inside ? busy(-share) : 2.0 * eta - pow(c - share, 3.0) / (c * share);\n"
+            "}"
+        )
+        assert "    int inside = (c > 0.5) && !(eta == CONSTANT);" in osl
+        assert "    let inside = (c > 0.5) && !(eta == CONSTANT);" in wgsl
+        assert "select(2.0 * eta - pow(c - share, 3.0) / (c * share), busy(-share), inside)" in wgsl
+        assert [f.name for f in formula.everything()] == ["busy", "made"]
+
+    def test_python_comes_back(self) -> None:
+        names: dict[str, Any] = {"np": np}
+        for part in read(made).everything():
+            exec("\n".join(LANGUAGES["python"].function(part)), names)  # noqa: S102
+        mu, eta, share = np.array([[0.2, 0.7, 0.9], [1.5, 1.5, 2.5], [0.3, 0.6, 0.8]])
+        interface, incidence = Interface(1.0, eta), Incidence.from_cosine(mu)
+        assert np.array_equal(names["made"](mu, eta, share), made(interface, incidence, share))
+
+    def test_floats_do_not_associate(self) -> None:
+        formula = read(lopsided)
+        assert LANGUAGES["glsl"].inside(formula.value, 0) == "x + (y - (x - y)) / (x / (y * x))"
+
+    @pytest.mark.parametrize("name", ["branching", "looping", "renaming", "listing", "asking"])
+    def test_refuses_what_it_cannot_write(self, name: str) -> None:
+        with pytest.raises(Untranslatable):
+            read(globals()[name])
+
+    def test_refuses_what_it_cannot_read(self) -> None:
+        for function in (np.sqrt, lambda x: x):
+            with pytest.raises(Untranslatable):
+                read(function)
+
+
+def lopsided(x: Array, y: Array) -> Array:
+    return x + (y - (x - y)) / (x / (y * x))
+
+
+def branching(x: float) -> float:
+    if x > 0.0:
+        return x
+    return 0.0
+
+
+def looping(x: Array) -> Array:
+    for _ in range(3):
+        x = x * x
+    return x
+
+
+def renaming(x: Array) -> Array:
+    x = x + 1.0
+    return x * x
+
+
+def listing(x: Array) -> Array:
+    return np.array([x, x])
+
+
+def asking(interface: Interface) -> Array:
+    return interface.eta_minus_1
