@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import asdict
-from functools import lru_cache
+from functools import cache
 from typing import Annotated, Literal
 
 import orjson
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from pydantic import BaseModel, Field
-from starlette.responses import Response
 
+from app.api.answers import Answer
 from app.api.params import QueryModel
 from app.api.problems import MissingResource
 from app.api.route import QueryRoute
@@ -110,7 +110,7 @@ def router(registry: Registry) -> APIRouter:
     """Routes over the models of `registry`."""
     routes = APIRouter(route_class=QueryRoute, tags=["shaders"])
 
-    @lru_cache(maxsize=1)
+    @cache
     def every_shader() -> ReadyBody:
         links = [
             {
@@ -124,7 +124,6 @@ def router(registry: Registry) -> APIRouter:
         payload = {"languages": [describe(x) for x in LANGUAGES.values()], "shaders": links}
         return ReadyBody(orjson.dumps(payload), "application/json", effort="thorough")
 
-    @lru_cache(maxsize=1024)
     def one_shader(model: Model, language_id: str, channels: int, form: str) -> ReadyBody:
         reason = reason_without(model)
         if reason is not None:
@@ -151,8 +150,8 @@ def router(registry: Registry) -> APIRouter:
         return ReadyBody(orjson.dumps(payload), "application/json")
 
     @routes.get("/shaders", response_model=ShadersOut, summary="Models that there is code of")
-    async def shaders(request: Request) -> Response:
-        return every_shader().response(request)
+    def shaders() -> Answer:
+        return every_shader()
 
     @routes.get(
         "/shaders/{model_id}",
@@ -160,14 +159,11 @@ def router(registry: Registry) -> APIRouter:
         responses=TEXT_AS_WELL,
         summary="A model as a function in GLSL, HLSL, WGSL, OSL or Python",
     )
-    async def shader(
-        request: Request, model_id: str, query: Annotated[ShaderQuery, Query()]
-    ) -> Response:
+    def shader(model_id: str, query: Annotated[ShaderQuery, Query()]) -> Answer:
         try:
             model = registry.find(model_id, "model_id")
         except UnknownModel as error:
             raise MissingResource(error) from None
-        body = one_shader(model, query.language, int(query.channels), query.format)
-        return body.response(request)
+        return one_shader(model, query.language, int(query.channels), query.format)
 
     return routes
