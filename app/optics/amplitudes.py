@@ -5,7 +5,16 @@ relative to n_i), the textbook quotients are rewritten so that nothing cancels a
 
 .. math::
     r_s = \frac{1 - N^2}{(c + q)^2}, \qquad
-    r_p = \frac{(N^2 - 1)(N^2 c^2 - s^2)}{(N^2 c + q)^2}
+    r_p = \frac{(N^2 - 1)(N^2 c^2 - s^2)}{(N^2 c + q)^2} = -r_s \frac{c q - s^2}{c q + s^2}
+
+The last form has the fewest operations, and the squares of its factors are real,
+
+.. math::
+    |c + q|^2 = c^2 + 2 c\,\mathrm{Re}\,q + |q|^2, \qquad
+    |c q \pm s^2|^2 = c^2 |q|^2 + s^4 \pm 2 c s^2\,\mathrm{Re}\,q,
+
+of which only the difference can cancel: where absorption is weak, it is taken from the product
+:math:`(c q - s^2)(c q + s^2) = N^2 c^2 - s^2` instead.
 
 Convention: time factor exp(-i w t), k_t >= 0, r_p = -r_s at normal incidence.
 
@@ -17,17 +26,22 @@ References
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from app.optics.blocks import in_blocks
 from app.optics.brewster import brewster_factor
+from app.optics.choice import Condition, anywhere, choose, everywhere
 from app.optics.critical import normal_square
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.optics.parameters import Array
+from app.optics.parameters import Array, Number
 
 Complex = NDArray[np.complex128]
+
+_SMALLEST = 1e-300  # in place of 0 below a fraction whose numerator is 0 too
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -39,10 +53,13 @@ class Wave:
     a, b
         Real and imaginary part; b > 0 in absorbers and beyond the critical angle, where a is 0
         without absorption.
+    abs2
+        a^2 + b^2.
     """
 
     a: Array
     b: Array
+    abs2: Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -83,14 +100,23 @@ def wave(interface: Interface, incidence: Incidence) -> Wave:
     Wave
         Of the broadcast shape, with a >= 0 and b >= 0.
     """
-    eta, kappa = interface.eta, interface.kappa
-    real = normal_square(interface, incidence) - kappa * kappa
-    product = eta * kappa
-    # The larger of a and b by a sum of positive terms, the smaller from a b = eta kappa.
-    larger = np.sqrt(0.5 * (np.hypot(real, 2.0 * product) + np.abs(real)))
-    smaller = np.divide(product, larger, out=np.zeros_like(larger), where=larger > 0.0)
+    real = normal_square(interface, incidence)
     forward = real >= 0.0
-    return Wave(np.where(forward, larger, smaller), np.where(forward, smaller, larger))
+    if interface.is_lossless:
+        if forward.all():
+            return Wave(np.sqrt(real), np.zeros_like(real), real)
+        return Wave(np.sqrt(np.maximum(real, 0.0)), np.sqrt(np.maximum(-real, 0.0)), np.abs(real))
+    eta, kappa, _ = interface.relative
+    product = 2.0 * eta * kappa
+    abs2 = np.sqrt(real * real + product * product)
+    # The larger of a and b by a sum of positive terms, the smaller from 2 a b = product.
+    larger = np.sqrt(0.5 * (abs2 + np.abs(real)))
+    smaller = 0.5 * product / (np.maximum(larger, _SMALLEST) if interface.shape else larger)
+    return Wave(
+        np.asarray(choose(forward, lambda: larger, lambda: smaller)),
+        np.asarray(choose(forward, lambda: smaller, lambda: larger)),
+        abs2,
+    )
 
 
 def amplitudes(interface: Interface, incidence: Incidence) -> Amplitudes:
@@ -113,6 +139,10 @@ def amplitudes(interface: Interface, incidence: Incidence) -> Amplitudes:
     >>> bool(normal.r_p == -normal.r_s)
     True
     """
+    return Amplitudes(*in_blocks(_amplitudes, interface, incidence))
+
+
+def _amplitudes(interface: Interface, incidence: Incidence) -> tuple[Complex, ...]:
     q = wave(interface, incidence)
     c, eta, kappa = incidence.cos, interface.eta, interface.kappa
     qz = q.a + 1j * q.b
@@ -127,7 +157,7 @@ def amplitudes(interface: Interface, incidence: Incidence) -> Amplitudes:
         t_s, t_p = 2.0 * c / den_s, 2.0 * index * c / den_p
     # Without a boundary (N = 1) a grazing ray still meets none: 0/0 above is r = 0, t = 1.
     matched = (contrast == 0.0) & (den_s == 0.0)
-    return Amplitudes(
+    return (
         np.where(matched, 0.0, r_s),
         np.where(matched, 0.0, r_p),
         np.where(matched, 1.0, t_s),
@@ -160,37 +190,113 @@ def power(interface: Interface, incidence: Incidence) -> Power:
     >>> bool(power(Interface(n_t=1.5), Incidence.from_radians(np.arctan(1.5))).Rp < 1e-30)
     True
     """
-    q = wave(interface, incidence)
-    c, s, eta, kappa = incidence.cos, incidence.sin, interface.eta, interface.kappa
-    square_re, square_im = (eta - kappa) * (eta + kappa), 2.0 * eta * kappa
-    contrast = (interface.eta_minus_1**2 + kappa**2) * ((eta + 1.0) ** 2 + kappa**2)
-    den_s = (c + q.a) ** 2 + q.b**2
-    den_p = (square_re * c + q.a) ** 2 + (square_im * c + q.b) ** 2
-    null_re, null_im = _brewster_null(interface, incidence)
+    return Power(*in_blocks(_powers, interface, incidence))
+
+
+def reflectance(interface: Interface, incidence: Incidence) -> Array:
+    """Reflectance R of unpolarized light, the very R of `power`, without the work for Ts and Tp."""
+    (R,) = in_blocks(_reflectance, interface, incidence)
+    return R
+
+
+class _Terms(NamedTuple):
+    """What the powers have in common.
+
+    Attributes
+    ----------
+    a
+        Re q.
+    den_s, den_p
+        |c + q|^2 and |c q + s^2|^2, multiplied out into sums in which nothing cancels; their product
+        is |N^2 c + q|^2.
+    null
+        |c q - s^2|^2, which vanishes at Brewster's angle.
+    abs2
+        |q|^2.
+    total
+        Where all is reflected, to the last bit: at 90 degrees and beyond the critical angle.
+    """
+
+    a: Array
+    den_s: Array
+    den_p: Array
+    null: Array
+    abs2: Array
+    total: NDArray[np.bool_]
+
+
+def _terms(interface: Interface, incidence: Incidence) -> _Terms:
+    q, c, s = wave(interface, incidence), incidence.cos, incidence.sin
+    c2, s2, double = c * c, s * s, 2.0 * c * q.a
+    even, odd = q.abs2 * c2 + s2 * s2, double * s2
+    den_s, den_p = c2 + double + q.abs2, even + odd
+
+    def careful() -> Array:
+        # (c q - s^2) (c q + s^2) = N^2 c^2 - s^2
+        real, imag = _brewster_null(interface, incidence)
+        return (real * real + imag * imag) / den_p
+
+    null = choose(interface.absorbs_strongly, lambda: even - odd, careful)
+    total = c == 0.0
+    if not everywhere(interface.absorbs_strongly):
+        total = total | ((q.a == 0.0) & (q.b > 0.0))
+    return _Terms(q.a, den_s, den_p, np.asarray(null), q.abs2, total)
+
+
+def _reflected(interface: Interface, terms: _Terms) -> tuple[Array, Array]:
+    """Rs and Rp."""
+    contrast = _contrast(interface)
     with np.errstate(invalid="ignore", divide="ignore"):
-        Rs = contrast / (den_s * den_s)
-        Rp = contrast * (null_re**2 + null_im**2) / (den_p * den_p)
-        Ts = 4.0 * c * q.a / den_s
-        Tp = 4.0 * c * q.a * (q.a**2 + q.b**2 + s * s) / den_p
-    # At 90 degrees and beyond the critical angle all is reflected, to the last bit; without a
-    # boundary (N = 1) nothing is, not even there, where the quotients above are 0/0.
-    total = (c == 0.0) | ((q.a == 0.0) & (q.b > 0.0))
+        Rs = contrast / (terms.den_s * terms.den_s)
+        Rp = Rs * terms.null / terms.den_p
     none = contrast == 0.0
-    return Power(
-        _between(none, total, Rs),
-        _between(none, total, Rp),
-        *(_between(total & ~none, none, T) for T in (Ts, Tp)),
+    return _with_ends(Rs, none, terms.total), _with_ends(Rp, none, terms.total)
+
+
+def _reflectance(interface: Interface, incidence: Incidence) -> tuple[Array]:
+    Rs, Rp = _reflected(interface, _terms(interface, incidence))
+    return (np.asarray(0.5 * (Rs + Rp)),)
+
+
+def _powers(interface: Interface, incidence: Incidence) -> tuple[Array, Array, Array, Array]:
+    terms, s = _terms(interface, incidence), incidence.sin
+    with np.errstate(invalid="ignore", divide="ignore"):
+        Ts = 4.0 * incidence.cos * terms.a / terms.den_s
+        Tp = Ts * (terms.abs2 + s * s) / terms.den_p
+    one = _contrast(interface) == 0.0
+    zero = terms.total & ~np.asarray(one)
+    return (
+        *_reflected(interface, terms),
+        _with_ends(Ts, zero, one),
+        _with_ends(Tp, zero, one),
     )
 
 
-def _between(zero: NDArray[np.bool_], one: NDArray[np.bool_], values: Array) -> Array:
-    """Set the known ends, and take off the last bit by which a power may round above 1."""
-    return np.where(zero, 0.0, np.where(one, 1.0, np.minimum(values, 1.0)))
+def _contrast(interface: Interface) -> Number:
+    """|N^2 - 1|^2, which is 0 without a boundary."""
+    eta, kappa, eta_minus_1 = interface.relative
+    eta_plus_1, kappa2 = eta + 1.0, kappa * kappa
+    return (eta_minus_1 * eta_minus_1 + kappa2) * (eta_plus_1 * eta_plus_1 + kappa2)
 
 
-def _brewster_null(interface: Interface, incidence: Incidence) -> tuple[Array, Array]:
+def _with_ends(values: Array, zero: Condition, one: Condition) -> Array:
+    """Set the known ends, and take off the last bit by which a power may round above 1.
+
+    Without a boundary (N = 1) nothing is reflected, not even where all else is: `zero` prevails.
+    """
+    values = np.minimum(values, 1.0)
+    if anywhere(one):
+        values = np.where(one, 1.0, values)
+    if anywhere(zero):
+        values = np.where(zero, 0.0, values)
+    return values
+
+
+def _brewster_null(interface: Interface, incidence: Incidence) -> tuple[Array, Number]:
     """N^2 c^2 - s^2 as real and imaginary part: the factor that vanishes at Brewster's angle."""
-    c, eta, kappa = incidence.cos, interface.eta, interface.kappa
+    c, (eta, kappa, _) = incidence.cos, interface.relative
+    real = brewster_factor(interface, incidence) * (eta * c + incidence.sin)
+    if interface.is_lossless:
+        return real, 0.0
     absorbed = kappa * c
-    real = brewster_factor(interface, incidence) * (eta * c + incidence.sin) - absorbed * absorbed
-    return np.asarray(real), np.asarray(2.0 * eta * c * absorbed)
+    return real - absorbed * absorbed, 2.0 * eta * c * absorbed

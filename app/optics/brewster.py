@@ -15,7 +15,7 @@ import numpy as np
 from app.optics.double_double import Double2, arctan_deg
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.optics.parameters import Array
+from app.optics.parameters import Array, Number
 
 # Beyond this distance from Brewster's angle the plain difference has its digits: the relative error
 # there is about 1e-16 / (distance in radians), 3e-14.
@@ -36,23 +36,30 @@ def brewster_factor(interface: Interface, incidence: Incidence) -> Array:
         Of the broadcast shape. Relative accuracy is a few units in the last place where the
         directions were made from degrees; from radians or cosines the absolute one is.
     """
-    eta = interface.eta
+    eta, _, _ = interface.relative
     plain = np.asarray(eta * incidence.cos - incidence.sin)
     degrees = incidence.exact_degrees
     if degrees is None:
         return plain
-    near = np.abs(np.degrees(np.arctan(eta)) - degrees) < _NEAR_DEG
+    near = np.abs(_nearly_brewster_deg(interface) - degrees) < _NEAR_DEG
     if not near.any():
         return plain
     theta = np.broadcast_to(degrees, plain.shape)[near]
     n_i, n_t = interface.n_i, interface.n_t
-    if n_i.ndim or n_t.ndim:
+    if interface.shape:
         n_i, n_t = (np.broadcast_to(array, plain.shape)[near] for array in (n_i, n_t))
     brewster = brewster_angle_deg(n_i, n_t)
     distance = (brewster.high - theta) + brewster.low
     result = plain.copy()
     result[near] = np.hypot(n_i, n_t) / n_i * np.sin(np.radians(distance))
     return result
+
+
+def _nearly_brewster_deg(interface: Interface) -> Number:
+    """Brewster's angle in plain arithmetic."""
+    if not interface.shape:
+        return brewster_angle_deg(interface.n_i, interface.n_t).high
+    return np.degrees(np.arctan(interface.eta))
 
 
 def brewster_angle_deg(n_i: Array, n_t: Array) -> Double2:

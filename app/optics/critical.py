@@ -13,9 +13,9 @@ from functools import lru_cache
 
 import numpy as np
 
+from app.optics.choice import choose
 from app.optics.double_double import (
     Double2,
-    Number,
     arctan_deg,
     multiply,
     square_root,
@@ -23,14 +23,14 @@ from app.optics.double_double import (
 )
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.optics.parameters import Array
+from app.optics.parameters import Array, Number
 
 # Beyond this distance from the critical angle the plain difference has its digits.
 _NEAR_DEG = 0.2
 
 
 def normal_square(interface: Interface, incidence: Incidence) -> Array:
-    """Evaluate eta^2 - sin^2(theta_i), negative beyond the critical angle.
+    """Evaluate Re q^2 = eta^2 - kappa^2 - sin^2(theta_i).
 
     Parameters
     ----------
@@ -43,22 +43,35 @@ def normal_square(interface: Interface, incidence: Incidence) -> Array:
         Of the broadcast shape. Relative accuracy is a few units in the last place where the
         directions were made from degrees; from radians or cosines the absolute one is.
     """
-    eta, s, c = interface.eta, incidence.sin, incidence.cos
-    # Near grazing incidence s is rounded while c is not, near normal incidence the other way round.
-    plain = np.where(
-        s * s < 0.5, (eta - s) * (eta + s), interface.eta_minus_1 * (eta + 1.0) + c * c
+    eta, kappa, eta_minus_1 = interface.relative
+    kappa2 = kappa * kappa
+
+    def by_cosine() -> Array:
+        return np.asarray((eta_minus_1 * (eta + 1.0) - kappa2) + incidence.cos * incidence.cos)
+
+    # Without absorption a sum of positive terms for eta >= 1, and wherever there is absorption it is
+    # seen beside 2 eta kappa. For eta < 1 the cosine is rounded too coarsely near normal incidence.
+    robust = (eta >= 1.0) | interface.absorbs_strongly
+    return np.asarray(
+        choose(robust, by_cosine, lambda: _denser_side(interface, incidence) - kappa2)
     )
+
+
+def _denser_side(interface: Interface, incidence: Incidence) -> Array:
+    """eta^2 - sin^2(theta_i) for eta < 1."""
+    eta, _, eta_minus_1 = interface.relative
+    s, c = incidence.sin, incidence.cos
+    # Near grazing incidence s is rounded while c is not, near normal incidence the other way round.
+    plain = np.where(s * s < 0.5, (eta - s) * (eta + s), eta_minus_1 * (eta + 1.0) + c * c)
     degrees = incidence.exact_degrees
-    dense = eta < 1.0
-    if degrees is None or not dense.any():
+    if degrees is None:
         return plain
-    critical_deg = np.degrees(np.arcsin(np.where(dense, eta, 0.0)))
-    near = dense & (np.abs(critical_deg - degrees) < _NEAR_DEG)
+    near = np.abs(_nearly_critical_deg(interface) - degrees) < _NEAR_DEG
     if not near.any():
         return plain
     theta = np.broadcast_to(degrees, plain.shape)[near]
     n_i, n_t = interface.n_i, interface.n_t
-    if n_i.ndim or n_t.ndim:
+    if interface.shape:
         n_i, n_t = (np.broadcast_to(array, plain.shape)[near] for array in (n_i, n_t))
     critical = critical_angle_deg(n_i, n_t)
     distance = (critical.high - theta) + critical.low
@@ -68,6 +81,14 @@ def normal_square(interface: Interface, incidence: Incidence) -> Array:
     result = plain.copy()
     result[near] = difference * np.broadcast_to(eta + s, plain.shape)[near]
     return result
+
+
+def _nearly_critical_deg(interface: Interface) -> Number:
+    """The critical angle in plain arithmetic, NaN where there is none."""
+    if not interface.shape:
+        return critical_angle_deg(interface.n_i, interface.n_t).high
+    with np.errstate(invalid="ignore"):
+        return np.where(interface.eta < 1.0, np.degrees(np.arcsin(interface.eta)), np.nan)
 
 
 def critical_angle_deg(n_i: Array, n_t: Array) -> Double2:

@@ -23,14 +23,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.optics.parameters import Array
+from app.optics.parameters import Array, Number
 
 _SPLITTER = 134217729.0  # 2^27 + 1
 _DIGITS = 10**50
 _PI = 314159265358979323846264338327950288419716939937510
-
-Number = float | Array
-"""One number, with which Python is faster, or many, with which NumPy is."""
 
 
 class Double2(NamedTuple):

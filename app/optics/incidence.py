@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -39,8 +40,8 @@ class Incidence:
         degrees = THETA_I_DEG.check(theta_i_deg)
         # 90 - degrees is exact for degrees >= 45 (Sterbenz), so the octant turn costs nothing.
         steep = degrees > 45.0
-        octant = np.radians(np.where(steep, 90.0 - degrees, degrees))
-        near, far = np.cos(octant), np.sin(octant)
+        far = np.sin(np.radians(np.where(steep, 90.0 - degrees, degrees)))
+        near = np.sqrt((1.0 - far) * (1.0 + far))  # up to 45 degrees as good as the cosine
         return cls(np.where(steep, far, near), np.where(steep, near, far), degrees)
 
     @classmethod
@@ -66,6 +67,11 @@ class Incidence:
         """
         cosine = MU.check(mu)
         return cls(cosine, np.sqrt((1.0 - cosine) * (1.0 + cosine)))
+
+    def map(self, pick: Callable[[Array], Array]) -> Incidence:
+        """Pick the same directions from every array."""
+        degrees = None if self._degrees is None else pick(self._degrees)
+        return Incidence(pick(self.cos), pick(self.sin), degrees)
 
     @property
     def theta_i(self) -> Array:

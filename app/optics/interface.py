@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
@@ -9,11 +10,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.optics.parameters import K_T, N_I, N_T, Array
+from app.optics.choice import Condition
+from app.optics.parameters import K_T, N_I, N_T, Array, Number
 
 Kind = Literal["dielectric", "conductor"]
 
-_SMALLEST_KAPPA = 1e-150
+_SMALLEST_KAPPA = 1e-140
 
 MU_BAR = 1.0 / 7.0
 """Cosine at which F82 is taken, about 81.8 degrees (Hoffman 2019; Kutz et al. 2021)."""
@@ -61,7 +63,7 @@ class Interface:
 
     @cached_property
     def kappa(self) -> Array:
-        """Relative extinction k_t / n_i; 0 where its square would be no double."""
+        """Relative extinction k_t / n_i; 0 where the square of eta kappa would be no double."""
         ratio = self.k_t / self.n_i
         return np.where(ratio < _SMALLEST_KAPPA, 0.0, ratio)
 
@@ -69,6 +71,43 @@ class Interface:
     def eta_minus_1(self) -> Array:
         """Eta - 1 from the difference of the indices, which is exact where eta is near 1."""
         return np.asarray((self.n_t - self.n_i) / self.n_i)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape that the three indices broadcast to."""
+        if self.n_i.ndim == self.n_t.ndim == self.k_t.ndim == 0:
+            return ()
+        return np.broadcast_shapes(self.n_i.shape, self.n_t.shape, self.k_t.shape)
+
+    def map(self, pick: Callable[[Array], Array]) -> Interface:
+        """Pick the same boundaries from every array; they are not checked again."""
+        if self.shape == ():
+            return self
+        picked = Interface.__new__(Interface)
+        for name in ("n_i", "n_t", "k_t"):
+            object.__setattr__(picked, name, pick(getattr(self, name)))
+        return picked
+
+    @cached_property
+    def relative(self) -> tuple[Number, Number, Number]:
+        """Eta, kappa and eta - 1, as plain numbers where the interface is one."""
+        if self.shape == ():
+            return float(self.eta), float(self.kappa), float(self.eta_minus_1)
+        return self.eta, self.kappa, self.eta_minus_1
+
+    @cached_property
+    def is_lossless(self) -> bool:
+        """Whether kappa is 0 everywhere, so that all waves are real or totally reflected."""
+        return not np.any(self.kappa)
+
+    @cached_property
+    def absorbs_strongly(self) -> Condition:
+        """Where N^2 - sin^2 and N^2 cos^2 - sin^2 stay away from 0 at all angles.
+
+        As kappa is neither small nor much less than eta, plain differences keep their digits.
+        """
+        eta, kappa, _ = self.relative
+        return (kappa >= 0.5) & (8.0 * kappa >= eta)
 
     @property
     def is_conductor(self) -> bool:
@@ -90,7 +129,7 @@ class Interface:
     @cached_property
     def F82(self) -> Array:
         """Exact reflectance at cos(theta_i) = 1/7."""
-        from app.optics.amplitudes import power
+        from app.optics.amplitudes import reflectance
         from app.optics.incidence import Incidence
 
-        return power(self, Incidence.from_cosine(MU_BAR)).R
+        return reflectance(self, Incidence.from_cosine(MU_BAR))

@@ -13,7 +13,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from app.optics.amplitudes import power
+from app.optics.amplitudes import reflectance
 from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
@@ -92,11 +92,7 @@ class Quality:
     reference: Callable[[Interface, Incidence], Array]
 
 
-def _exact(interface: Interface, incidence: Incidence) -> Array:
-    return power(interface, incidence).R
-
-
-PRECISE = Quality(double_exponential(), crowded_gauss_legendre(8), None, 15, 5, _exact)
+PRECISE = Quality(double_exponential(), crowded_gauss_legendre(8), None, 15, 5, reflectance)
 """Integrals to 1e-12, the largest error to 1e-13, its angle to 1e-5 degrees."""
 
 FAST = Quality(
@@ -117,7 +113,7 @@ def point_error(
 
     The relative error (R - exact)/exact is NaN where the exact R is 0.
     """
-    exact = power(interface, incidence).R
+    exact = reflectance(interface, incidence)
     error = np.asarray(model.evaluate(interface, incidence, arguments) - exact)
     if metric == "absolute":
         return np.abs(error)
@@ -199,7 +195,7 @@ def measure(
     result: dict[Metric, Array] = {name: np.empty(total) for name in wanted}
     # A cheap form loses its digits where R is small, near N = n_i, which only relative errors show.
     relative = not _RELATIVE.isdisjoint(wanted)
-    sharp = replace(curves, reference=_exact) if relative else curves
+    sharp = replace(curves, reference=reflectance) if relative else curves
     for rows in _blocks(np.flatnonzero(~gentle), nodes):
         part = sharp.part(rows)
         split = hemisphere(part.interface, rule, kinks)

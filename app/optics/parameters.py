@@ -15,6 +15,9 @@ from app.optics.errors import OutOfRange
 
 Array = NDArray[np.float64]
 
+Number = float | Array
+"""One number, with which Python is faster, or many, with which NumPy is."""
+
 
 @dataclass(frozen=True, slots=True)
 class Parameter:

@@ -7,11 +7,12 @@ import pkgutil
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from app.optics.blocks import in_blocks
 from app.optics.errors import NotAllowed, OutOfRange, UnknownModel
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface, Kind
@@ -177,11 +178,12 @@ class Model:
         """Evaluate R with the values that `arguments` returned, without looking at them again."""
         # A form undefined at some angle answers NaN there, which is a result and not a fault.
         with np.errstate(invalid="ignore", divide="ignore"):
-            values = self.function(interface, incidence, **arguments)
-        shape = np.broadcast_shapes(
-            interface.n_i.shape, interface.n_t.shape, interface.k_t.shape, incidence.cos.shape
-        )
-        return np.broadcast_to(values, np.broadcast_shapes(shape, values.shape))
+            (values,) = in_blocks(self._values, interface, incidence, arguments)
+        shape = np.broadcast_shapes(interface.shape, incidence.cos.shape, values.shape)
+        return np.broadcast_to(values, shape)
+
+    def _values(self, *where: Any, **arguments: Array) -> tuple[Array]:
+        return (self.function(*where, **arguments),)
 
     def reason_outside(self, interface: Interface) -> str | None:
         """Why `interface` lies outside the model's domain, or None inside it."""

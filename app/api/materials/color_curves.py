@@ -30,7 +30,7 @@ from app.api.params import MAX_SAMPLES, Count, TableQuery
 from app.api.presets import default_catalog, reported_as
 from app.api.responses import CONVENTION, csv_body, json_body
 from app.materials import Preset, Spectrum
-from app.optics.amplitudes import power
+from app.optics.amplitudes import reflectance
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
@@ -79,7 +79,7 @@ def wavelength_curves(
     rows = Interface(
         *(np.atleast_1d(a)[:, np.newaxis] for a in (interface.n_i, interface.n_t, interface.k_t))
     )
-    R = power(rows, incidence).R
+    R = reflectance(rows, incidence)
     columns = [
         np.broadcast_to(a, wavelength_nm.shape)
         for a in (interface.n_i, interface.n_t, interface.k_t, interface.F0, interface.F82)

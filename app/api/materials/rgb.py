@@ -14,7 +14,7 @@ from app.api.materials.queries import ColorQuery, swatch_gamut
 from app.api.model_parameters import ModelsParameter
 from app.api.problems import BadParameters, ParameterError
 from app.materials import Spectrum, appearance, color_curve, f82_tint, rgb_constants
-from app.optics.amplitudes import power
+from app.optics.amplitudes import reflectance
 from app.optics.color import Gamut, apply_gamut, linear_srgb
 from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
@@ -132,7 +132,7 @@ def _averaged(spectrum: Spectrum, n_i: Array | float, query: RgbQuery) -> Interf
 
 
 def _exact(interface: Interface) -> Callable[[Incidence], Array]:
-    return lambda incidence: power(interface, incidence).R
+    return lambda incidence: reflectance(interface, incidence)
 
 
 def _of(

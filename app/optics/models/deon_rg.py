@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from app.optics.amplitudes import power
+from app.optics.amplitudes import reflectance
 from app.optics.edge_tint import REFLECTANCE, TINT_ANGLE, deon_G, deon_index, relative_interface
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
@@ -15,7 +15,7 @@ from app.optics.registry import Cost, Model
 
 def deon_rg(interface: Interface, incidence: Incidence, r: Array, G: Array) -> Array:  # noqa: ARG001
     """Exact R of the index that r and G stand for."""
-    return power(relative_interface(*deon_index(r, G)), incidence).R
+    return reflectance(relative_interface(*deon_index(r, G)), incidence)
 
 
 def deon_rg_real(mu: Array, r: Array, G: Array) -> Array:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.optics.amplitudes import power
+from app.optics.amplitudes import reflectance
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
@@ -11,7 +11,7 @@ from app.optics.registry import Cost, Model
 
 def exact(interface: Interface, incidence: Incidence) -> Array:
     """Reflectance of unpolarized light, exact and free of cancellation."""
-    return power(interface, incidence).R
+    return reflectance(interface, incidence)
 
 
 def exact_real(mu: Array, eta: Array, kappa: Array) -> Array:

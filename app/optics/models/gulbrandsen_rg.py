@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from app.optics.amplitudes import power
+from app.optics.amplitudes import reflectance
 from app.optics.edge_tint import (
     EDGE_TINT,
     REFLECTANCE,
@@ -21,7 +21,7 @@ from app.optics.registry import Cost, Model
 
 def gulbrandsen_rg(interface: Interface, incidence: Incidence, r: Array, g: Array) -> Array:  # noqa: ARG001
     """Exact R of the index that r and g stand for."""
-    return power(relative_interface(*gulbrandsen_index(r, g)), incidence).R
+    return reflectance(relative_interface(*gulbrandsen_index(r, g)), incidence)
 
 
 def gulbrandsen_rg_real(mu: Array, r: Array, g: Array) -> Array:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize.elementwise import find_root
 
-from app.optics.amplitudes import amplitudes, power, wave
+from app.optics.amplitudes import amplitudes, reflectance, wave
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.models.lagarde_conductor import lagarde_conductor
@@ -88,7 +88,7 @@ def solve_alpha(interface: Interface, a: Array) -> Array:
 
 def _alpha_at(interface: Interface, a: Array, mu: Array) -> Array:
     """Alpha with which the term equals Schlick's error at the cosine mu, or NaN."""
-    error = schlick_ior(interface, at := Incidence.from_cosine(mu)) - power(interface, at).R
+    error = schlick_ior(interface, at := Incidence.from_cosine(mu)) - reflectance(interface, at)
     reach = a * mu
     possible = (error > 0.0) & (error < reach)
     ratio = np.divide(error, reach, out=np.full(possible.shape, np.nan), where=possible)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.optics.amplitudes import power
+from app.optics.amplitudes import reflectance
 from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
@@ -37,7 +37,7 @@ def table(interface: Interface, size: int, bits: int) -> Array:
     columns = Interface(
         *(m[..., np.newaxis] for m in (interface.n_i, interface.n_t, interface.k_t))
     )
-    texels = power(columns, Incidence.from_cosine(np.linspace(0.0, 1.0, size))).R
+    texels = reflectance(columns, Incidence.from_cosine(np.linspace(0.0, 1.0, size)))
     if bits == 32:
         return texels.astype(np.float32).astype(np.float64)
     steps = 2.0**bits - 1.0

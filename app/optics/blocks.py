@@ -1,0 +1,90 @@
+"""Large arrays, evaluated a piece at a time.
+
+An expression over arrays holds an intermediate result of every step. Over millions of values those
+leave the processor's cache and cost more time than the arithmetic, and many times the memory of
+the answer; over pieces of `VALUES` they are made in the cache and forgotten there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from itertools import product
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+
+VALUES = 16384
+"""Values of a piece: 128 kB an array, so that about eight lie in a core's second-level cache."""
+
+# glibc gives back what is freed at the top of its heap, to fetch it again page by page for the next
+# intermediate result, unless it has seen larger arrays come and go: let it see one.
+np.empty(32 * VALUES)
+
+Block = tuple[slice, ...]
+Function = Callable[..., Sequence[NDArray[Any]]]
+
+
+def blocks(shape: tuple[int, ...]) -> Iterator[Block]:
+    """Cut an array of `shape` into pieces of at most `VALUES`, along its last axes the longest."""
+    left, cuts = VALUES, []
+    for size in reversed(shape):
+        step = max(1, min(size, left))
+        cuts.append([slice(start, start + step) for start in range(0, size, step)])
+        left //= step
+    return product(*reversed(cuts))
+
+
+def part(block: Block, array: Array) -> Array:
+    """The piece of an array that broadcasts to the shape that was cut."""
+    own = block[len(block) - array.ndim :]
+    return array[
+        tuple(s if size > 1 else slice(None) for s, size in zip(own, array.shape, strict=True))
+    ]
+
+
+def in_blocks(
+    function: Function,
+    interface: Interface,
+    incidence: Incidence,
+    arguments: Mapping[str, Array] | None = None,
+) -> tuple[NDArray[Any], ...]:
+    """Evaluate `function(interface, incidence, **arguments)`, in pieces where it is large.
+
+    Parameters
+    ----------
+    function
+        Works value by value and returns arrays that broadcast against its arguments.
+    interface, incidence, arguments
+        They broadcast against each other.
+
+    Returns
+    -------
+    tuple of arrays
+        What `function` returns; of the broadcast shape where there was more than one piece.
+    """
+    arguments = arguments or {}
+    shape = incidence.cos.shape
+    if interface.shape or arguments:
+        shapes = (array.shape for array in arguments.values())
+        shape = np.broadcast_shapes(shape, interface.shape, *shapes)
+    if math.prod(shape) <= VALUES:
+        return tuple(function(interface, incidence, **arguments))
+    results: tuple[NDArray[Any], ...] = ()
+    for block in blocks(shape):
+        pick = partial(part, block)
+        pieces = function(
+            interface.map(pick),
+            incidence.map(pick),
+            **{name: pick(array) for name, array in arguments.items()},
+        )
+        results = results or tuple(np.empty(shape, piece.dtype) for piece in pieces)
+        for result, piece in zip(results, pieces, strict=True):
+            result[block] = piece
+    return results
