@@ -12,6 +12,7 @@ from app.api import (
     curves,
     error_grids,
     errors,
+    formulas,
     health,
     materials,
     models,
@@ -80,6 +81,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         albedo_grids.router(registry),
         materials.router(registry),
         shaders.router(registry),
+        formulas.router(registry),
     ]
     problems.install(app)
     app.add_middleware(OpenToOtherPages, prefixes=(f"{API_PREFIX}/", "/openapi.json"))

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from app.optics.blocks import in_blocks
 from app.optics.errors import NotAllowed, OutOfRange, UnknownModel
+from app.optics.formula import Symbol
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface, Kind
 from app.optics.parameters import Array, Parameter
@@ -62,6 +63,25 @@ class Measured:
     rms: float
 
 
+@dataclass(frozen=True, slots=True)
+class Rounding:
+    """What rounding costs an exact form at one interface, as a power of ten.
+
+    Attributes
+    ----------
+    n_i, n_t, k_t
+        The interface.
+    max_relative
+        Largest error relative to R at the whole degrees from 0 to 89, rounded up to a power of ten;
+        a test measures it against 50-digit arithmetic.
+    """
+
+    n_i: float
+    n_t: float
+    k_t: float
+    max_relative: float
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Model:
     """One formula for R(theta_i), exact or approximate.
@@ -99,11 +119,15 @@ class Model:
         `kinks(**parameters)` returns the cosines where the function is not smooth for reasons of
         its own, as at the texels of a table, so that integrals can be split there.
     measured
-        Errors at representative interfaces, each of which a test measures again.
+        Errors of an approximation at representative interfaces, each of which a test measures again.
     snippet
         What is handed out as shader code: `function` itself unless given; another function of mu and
         quantities of the interface, equal to it but fit for 32 bit floats and real arithmetic; or
         in words why there is none.
+    rounding
+        The same of an exact form, which differs from the others by rounding alone.
+    symbols
+        Letters of `latex` that neither the common glossary nor the parameters explain.
     """
 
     id: str
@@ -121,6 +145,8 @@ class Model:
     kinks: Callable[..., Array] | None = None
     measured: tuple[Measured, ...] = ()
     snippet: Callable[..., Array] | str | None = None
+    rounding: tuple[Rounding, ...] = ()
+    symbols: tuple[Symbol, ...] = ()
 
     def __post_init__(self) -> None:
         """Refuse a parameter without a default that nothing solves."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.optics.albedo.exact import Albedo, Quantity, albedo
+from app.optics.formula import Symbol
 from app.optics.interface import Interface, Kind
 from app.optics.parameters import Array
 
@@ -111,6 +112,8 @@ class Fit:
         Author, year, title.
     note
         What a user should know before taking it.
+    symbols
+        Letters of `latex` that are neither n, k nor in the common glossary.
     claims
         Its errors, claimed and measured; at least one for each domain.
     function
@@ -126,6 +129,7 @@ class Fit:
     note: str
     claims: tuple[Claim, ...]
     function: Callable[[Interface], Array]
+    symbols: tuple[Symbol, ...] = ()
 
     def __call__(self, interface: Interface) -> Array:
         """Evaluate the fit, an array of the interface's shape, inside the domain and outside it."""

@@ -24,7 +24,8 @@ MODEL = Model(
     kind="approximation",
     applies_to=("conductor",),
     latex=r"R\approx\left|\tfrac12\,\frac{(g-c)^2}{(g+c)^2}"
-    r"\left(1+\frac{(c(g+c)-1)^2}{(c(g-c)+1)^2}\right)\right|,\quad g=\sqrt{N^2-1+c^2}",
+    r"\left(1+\frac{(c(g+c)-1)^2}{(c(g-c)+1)^2}\right)\right|,\quad g=\sqrt{N^2-1+c^2},\quad "
+    r"c=\cos\theta_i",
     reference="E. d'Eon, Fresnel Boundaries, notebook to A Hitchhiker's Guide to Multiple Scattering "
     "(2019), misunderstood form",
     validity="Nowhere: it adds r_s^2 and r_p^2 as complex numbers, which cancel, before taking the "

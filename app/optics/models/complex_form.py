@@ -5,7 +5,7 @@ import numpy as np
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Model, Rounding
 
 
 def complex_form(interface: Interface, incidence: Incidence) -> Array:
@@ -34,4 +34,8 @@ MODEL = Model(
     function=complex_form,
     snippet="it is written in complex numbers, which shading languages lack; exact is the same in "
     "real ones",
+    rounding=(
+        Rounding(1, 1.5, 0, max_relative=1e-14),
+        Rounding(1, 1.000001, 0, max_relative=1e-9),
+    ),
 )

@@ -28,6 +28,7 @@ MODEL = Model(
     applies_to=("dielectric", "conductor"),
     latex=r"R\approx\tfrac12\,\frac{(g-c)^2}{(g+c)^2}"
     r"\left(1+\frac{(c(g+c)-1)^2}{(c(g-c)+1)^2}\right),\quad g=\sqrt{n^2-1+c^2},\quad "
+    r"c=\cos\theta_i,\quad "
     r"n=\frac{1+\sqrt{F_0}}{1-\sqrt{F_0}}",
     reference="R. L. Cook and K. E. Torrance, A Reflectance Model for Computer Graphics, ACM "
     "Transactions on Graphics 1(1), 1982, doi:10.1145/357290.357293; F_Fresnel of Unreal Engine",

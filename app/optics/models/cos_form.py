@@ -5,7 +5,7 @@ import numpy as np
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Model, Rounding
 
 
 def cos_form(interface: Interface, incidence: Incidence) -> Array:
@@ -30,4 +30,8 @@ MODEL = Model(
     "n_t approaches n_i, and is 0/0 for n_t = n_i at 90 degrees.",
     cost=Cost(add=7, mul=11, div=2, sqrt=1),
     function=cos_form,
+    rounding=(
+        Rounding(1, 1.5, 0, max_relative=1e-14),
+        Rounding(1, 1.000001, 0, max_relative=1e-9),
+    ),
 )

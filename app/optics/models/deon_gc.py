@@ -5,7 +5,7 @@ import numpy as np
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Model, Rounding
 
 
 def deon_gc(interface: Interface, incidence: Incidence) -> Array:
@@ -29,11 +29,15 @@ MODEL = Model(
     applies_to=("dielectric",),
     latex=r"R=\tfrac12\,\frac{(g-c)^2}{(g+c)^2}"
     r"\left(1+\frac{(c(g+c)-1)^2}{(c(g-c)+1)^2}\right),\quad "
-    r"g=\sqrt{\eta^2-1+c^2},\quad R=1\ \text{for}\ \eta^2-1+c^2<0",
+    r"g=\sqrt{\eta^2-1+c^2},\quad c=\cos\theta_i,\quad R=1\ \text{for}\ \eta^2-1+c^2<0",
     reference="E. d'Eon, Fresnel Boundaries, notebook to A Hitchhiker's Guide to Multiple Scattering "
     "(2019), evalF",
     validity="Exact for dielectrics, total internal reflection included; loses digits as eta "
     "approaches 1, and is 0/0 for eta = 1 at 90 degrees.",
     cost=Cost(add=8, mul=10, div=2, sqrt=1),
     function=deon_gc,
+    rounding=(
+        Rounding(1, 1.5, 0, max_relative=1e-14),
+        Rounding(1, 1.000001, 0, max_relative=1e-9),
+    ),
 )

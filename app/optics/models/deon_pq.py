@@ -5,7 +5,7 @@ import numpy as np
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Model, Rounding
 
 
 def deon_pq(interface: Interface, incidence: Incidence) -> Array:
@@ -29,11 +29,16 @@ MODEL = Model(
     applies_to=("dielectric", "conductor"),
     latex=r"\rho_\perp=\frac{(n_i\cos\theta-p)^2+q^2}{(n_i\cos\theta+p)^2+q^2},\quad "
     r"\rho_\parallel=\rho_\perp\,\frac{(p-n_i\sin\theta\tan\theta)^2+q^2}"
-    r"{(p+n_i\sin\theta\tan\theta)^2+q^2},\quad R=\tfrac12(\rho_\perp+\rho_\parallel)",
+    r"{(p+n_i\sin\theta\tan\theta)^2+q^2},\quad R=\tfrac12(\rho_\perp+\rho_\parallel),"
+    r"\quad p+iq=\sqrt{N^2-n_i^2\sin^2\theta},\quad N=n_t+ik_t",
     reference="E. d'Eon, Fresnel Boundaries, notebook to A Hitchhiker's Guide to Multiple Scattering "
     "(2019), conductor, exact",
     validity="Exact for conductors and dielectrics; the tangent leaves it undefined at 90 degrees, "
     "and it loses digits as eta approaches 1.",
     cost=Cost(add=13, mul=15, div=3, sqrt=2),
     function=deon_pq,
+    rounding=(
+        Rounding(1, 1.5, 0, max_relative=1e-14),
+        Rounding(1, 1.000001, 0, max_relative=1e-9),
+    ),
 )

@@ -10,7 +10,7 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.models.exact import exact_real
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Model, Rounding
 
 
 def deon_rg(interface: Interface, incidence: Incidence, r: Array, G: Array) -> Array:  # noqa: ARG001
@@ -45,6 +45,10 @@ MODEL = Model(
     cost=Cost(add=20, mul=31, div=5, sqrt=4, trig=2),
     function=deon_rg,
     snippet=deon_rg_real,
+    rounding=(
+        Rounding(1, 1.5, 0, max_relative=1e-14),
+        Rounding(1, 1.000001, 0, max_relative=1e-14),
+    ),
     parameters=(REFLECTANCE, TINT_ANGLE),
     solve=_solve,
 )

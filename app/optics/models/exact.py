@@ -6,7 +6,7 @@ from app.optics.amplitudes import reflectance
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Model, Rounding
 
 
 def exact(interface: Interface, incidence: Incidence) -> Array:
@@ -42,10 +42,15 @@ MODEL = Model(
     r"r_s=\frac{1-N^2}{(\mu+q)^2},\quad "
     r"r_p=\frac{(N^2-1)(N^2\mu^2-\sin^2\theta_i)}{(N^2\mu+q)^2},\quad "
     r"q=\sqrt{N^2-\sin^2\theta_i},\quad N=\eta+i\kappa",
-    reference="A. Fresnel 1823; M. Born and E. Wolf, Principles of Optics, 1.5 and 14.2, "
+    reference="A. Fresnel 1823; M. Born and E. Wolf, Principles of Optics, 7th edition, "
+    "1.5 and 14.2, doi:10.1017/CBO9781139644181, "
     "rewritten here so that nothing cancels as N approaches 1",
     validity="Every interface and angle; the reference that all models are measured against.",
     cost=Cost(add=15, mul=24, div=3, sqrt=2),
     function=exact,
     snippet=exact_real,
+    rounding=(
+        Rounding(1, 1.5, 0, max_relative=1e-14),
+        Rounding(1, 1.000001, 0, max_relative=1e-14),
+    ),
 )

@@ -16,7 +16,7 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.models.exact import exact_real
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Model, Rounding
 
 
 def gulbrandsen_rg(interface: Interface, incidence: Incidence, r: Array, g: Array) -> Array:  # noqa: ARG001
@@ -59,6 +59,10 @@ MODEL = Model(
     cost=Cost(add=23, mul=30, div=6, sqrt=4),
     function=gulbrandsen_rg,
     snippet=gulbrandsen_rg_real,
+    rounding=(
+        Rounding(1, 1.5, 0, max_relative=1e-14),
+        Rounding(1, 1.000001, 0, max_relative=1e-14),
+    ),
     parameters=(REFLECTANCE, EDGE_TINT),
     solve=_solve,
     limits=_outside,

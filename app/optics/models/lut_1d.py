@@ -4,6 +4,7 @@ import numpy as np
 
 from app.optics.amplitudes import reflectance
 from app.optics.errors import NotAllowed
+from app.optics.formula import Symbol
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array, Parameter
@@ -87,6 +88,7 @@ MODEL = Model(
     applies_to=("dielectric", "conductor"),
     latex=r"R\approx(1-f)\,T_j+f\,T_{j+1},\quad j+f=\mu\,(N-1),\quad "
     r"T_j=R_\text{exact}\!\left(\arccos\tfrac{j}{N-1}\right)",
+    symbols=(Symbol("T_{j+1}", "next texel"),),
     reference="M. Wloka, Fresnel Reflection, NVIDIA technical report (2002), figures 10, 11 and 13",
     validity="Every interface, one table each. The error is the curve's bend between two texels, "
     "largest at grazing incidence and at a critical angle, plus half a step of the depth. A shader "

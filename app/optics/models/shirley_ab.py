@@ -5,7 +5,7 @@ import numpy as np
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Model, Rounding
 
 
 def shirley_ab(interface: Interface, incidence: Incidence) -> Array:
@@ -32,11 +32,17 @@ MODEL = Model(
     applies_to=("dielectric", "conductor"),
     latex=r"R_s=\frac{a^2+b^2-2a\cos\theta+\cos^2\theta}{a^2+b^2+2a\cos\theta+\cos^2\theta},\quad "
     r"R_p=R_s\,\frac{a^2+b^2-2a\sin\theta\tan\theta+\sin^2\theta\tan^2\theta}"
-    r"{a^2+b^2+2a\sin\theta\tan\theta+\sin^2\theta\tan^2\theta}",
+    r"{a^2+b^2+2a\sin\theta\tan\theta+\sin^2\theta\tan^2\theta},"
+    r"\quad a+ib=\sqrt{N^2-\sin^2\theta}",
     reference="P. Shirley, Physically Based Lighting Calculations for Computer Graphics (1990), "
-    "equations 2.4 to 2.7",
+    "equations 2.4 to 2.7, quoted in Fresnel Equations, Schlick Approximation, Metals, and "
+    "Dielectrics (2020)",
     validity="Exact for conductors and dielectrics; the tangent leaves it undefined at 90 degrees, "
     "and it loses digits where R is small.",
     cost=Cost(add=15, mul=19, div=5, sqrt=2),
     function=shirley_ab,
+    rounding=(
+        Rounding(1, 1.5, 0, max_relative=1e-14),
+        Rounding(1, 1.000001, 0, max_relative=0.001),
+    ),
 )

@@ -5,7 +5,7 @@ import numpy as np
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.registry import Cost, Model
+from app.optics.registry import Cost, Model, Rounding
 
 
 def wloka_eq6(interface: Interface, incidence: Incidence) -> Array:
@@ -32,4 +32,8 @@ MODEL = Model(
     "incidence, where the limit stands in, and loses digits as n_t approaches n_i.",
     cost=Cost(add=3, mul=5, div=3, trig=6),
     function=wloka_eq6,
+    rounding=(
+        Rounding(1, 1.5, 0, max_relative=1e-14),
+        Rounding(1, 1.000001, 0, max_relative=1e-9),
+    ),
 )

@@ -7,6 +7,7 @@ from numpy.polynomial.polynomial import polyval, polyval2d
 
 from app.optics.albedo.fit import Claim, Domain, Fit
 from app.optics.edge_tint import deon_G, gulbrandsen_g
+from app.optics.formula import Symbol
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 
@@ -14,11 +15,15 @@ METALS = Domain(eta=(0.1, 4.0), kappa=(1.7, 8.0))
 """The box d'Eon fits metals in."""
 
 _HITCHHIKER = "E. d'Eon, A Hitchhiker's Guide to Multiple Scattering, Fresnel Boundaries, 2019"
-_DUNKLE = "R. V. Dunkle 1963; M. N. Ozisik, Radiative Transfer, 1973, p. 60; d'Eon 2019"
+_DUNKLE = (
+    "R. V. Dunkle 1963; M. N. Ozisik, Radiative Transfer, 1973, p. 60; E. d'Eon, A Hitchhiker's Guide "
+    "to Multiple Scattering, 2019"
+)
 _EXACT_FOR = (
     "Exact for the approximate reflectance of Pharr and Humphreys (model pharr_humphreys), which "
     "is close to Fresnel's where n^2 + k^2 is large."
 )
+_POWERS = (Symbol("i", "row, from 0"), Symbol("j", "column, from 0"))
 _OURS = "no figure published; measured here"
 
 
@@ -31,6 +36,12 @@ def _metals(measured: float, at: tuple[float, float], claimed: float | None = No
         at=at,
         measured_over=METALS,
     )
+
+
+def _matrix(name: str, coefficients: tuple[tuple[float, ...], ...]) -> str:
+    """LaTeX of coefficients, powers of the first variable down and of the second across."""
+    rows = "\\\\".join("&".join(map(str, row)) for row in coefficients)
+    return rf",\quad ({name})=\begin{{pmatrix}}{rows}\end{{pmatrix}}"
 
 
 def _angle(k: Array, adjacent: Array) -> Array:
@@ -153,7 +164,10 @@ FITS = (
         id="deon_2019_rational",
         title="d'Eon 2019, first conductor fit",
         domains=(METALS,),
-        latex=r"A\approx\frac{\sum_{i,j\le 2}a_{ij}\,k^i n^j}{\sum_{i,j\le 2}b_{ij}\,k^i n^j}",
+        latex=r"A\approx\frac{\sum_{i,j\le 2}a_{ij}\,k^i n^j}{\sum_{i,j\le 2}b_{ij}\,k^i n^j}"
+        + _matrix("a_{ij}", _RATIONAL_NUMERATOR)
+        + _matrix("b_{ij}", _RATIONAL_DENOMINATOR),
+        symbols=_POWERS,
         reference=_HITCHHIKER,
         note="A quotient of polynomials in n and k.",
         claims=(_metals(0.00309, (0.50, 1.7), claimed=0.001),),
@@ -164,7 +178,10 @@ FITS = (
         title="d'Eon 2019, second conductor fit",
         domains=(METALS,),
         latex=r"A\approx\frac{\sum_{i,j\le 2}c_{ij}\,G^i r^j}{\sum_{i,j\le 2}d_{ij}\,G^i r^j},"
-        r"\quad r=F_0,\quad G=\tfrac1\pi\operatorname{atan2}\!\left(k,\,n-\tfrac{1+r}{1-r}\right)",
+        r"\quad r=F_0,\quad G=\tfrac1\pi\operatorname{atan2}\!\left(k,\,n-\tfrac{1+r}{1-r}\right)"
+        + _matrix("c_{ij}", _RG_NUMERATOR)
+        + _matrix("d_{ij}", _RG_DENOMINATOR),
+        symbols=_POWERS,
         reference=_HITCHHIKER,
         note="A quotient of polynomials in F0 and in the edge tint G of his modified mapping.",
         claims=(_metals(0.000165, (0.69, 1.7), claimed=0.00006),),
@@ -178,6 +195,10 @@ FITS = (
         r"+0.278708r^3+0.19744gr+0.0360605g^2r-0.2586gr^2",
         reference="C. Kulla and A. Conty, Revisiting Physically Based Shading at Imageworks, "
         "SIGGRAPH 2017 course, over r = F0 and g of O. Gulbrandsen, JCGT 3(4), 2014",
+        symbols=(
+            Symbol("r", "reflectance at normal incidence, F₀"),
+            Symbol("g", "Gulbrandsen's edge tint"),
+        ),
         note="Made for r and g within 0 and 1, which n^2 + k^2 >= 1 grants.",
         claims=(_metals(0.0170, (0.29, 1.7)),),
         function=_kulla_conty,

@@ -112,7 +112,8 @@ FITS = (
         domains=(Domain(eta=(1.0, 2.0)),),
         latex=r"A\approx -0.4399+0.7099\,n-0.3319\,n^2+0.0636\,n^3",
         reference="W. G. Egan and T. W. Hilgeman 1973, as C. Donner and H. W. Jensen, Light "
-        "Diffusion in Multi-Layered Translucent Materials, SIGGRAPH 2005, print it",
+        "Diffusion in Multi-Layered Translucent Materials, SIGGRAPH 2005, "
+        "doi:10.1145/1073204.1073308, print it",
         note="Printed there with the reciprocal index, for eta < 1.",
         claims=(_claim(1.0, 2.0, 0.0017, 1.0, _OURS),),
         function=_egan_hilgeman_external,
@@ -133,7 +134,8 @@ FITS = (
         title="Egan and Hilgeman 1973, internal",
         domains=(Domain(eta=(0.2, 1.0)),),
         latex=r"A\approx 0.0636\,n+0.6681+0.7099\,x-1.4399\,x^2,\quad x=\tfrac1n=\eta",
-        reference="W. G. Egan and T. W. Hilgeman 1973; in Mitsuba",
+        reference="W. G. Egan and T. W. Hilgeman 1973, as H. W. Jensen et al., A Practical Model for "
+        "Subsurface Light Transport, SIGGRAPH 2001, doi:10.1145/383259.383319, quote it; in Mitsuba",
         note="Internal diffuse reflectance, n the dense medium's relative index. " + _FROM_1_01,
         claims=(
             _relative(1.0 / 1.5, 1.0, 0.001, 0.0391, 1.0 / 1.01, (1.0 / 1.5, 1.0 / 1.01)),
@@ -149,7 +151,8 @@ FITS = (
         domains=(Domain(eta=(0.5, 1.0)),),
         latex=r"A\approx 2\,(-4.61686+11.1136\,n-10.4646\,n^2+5.11455\,n^3-1.27198\,n^4"
         r"+0.12746\,n^5)",
-        reference="E. d'Eon and G. Irving 2011; in PBRT, FresnelMoment1",
+        reference="E. d'Eon and G. Irving, A Quantized-Diffusion Model for Rendering Translucent "
+        "Materials, 2011, doi:10.1145/2010324.1964951; in PBRT, FresnelMoment1",
         note="Internal diffuse reflectance, n = 1/eta; a polynomial that runs away above n = 2.",
         claims=(_claim(0.5, 1.0, 0.00434, 1.0, _OURS),),
         function=_deon_irving_internal,
@@ -159,7 +162,8 @@ FITS = (
         title="Kulla and Conty 2017, internal",
         domains=(Domain(eta=(0.01, 1.0)),),
         latex=r"A\approx 0.997118+0.1014\,\eta-0.965241\,\eta^2-0.130607\,\eta^3",
-        reference="C. Kulla and A. Conty 2017; in Blender Cycles",
+        reference="C. Kulla and A. Conty, Revisiting Physically Based Shading at Imageworks, SIGGRAPH "
+        "2017 course; in Blender Cycles",
         note="Internal diffuse reflectance. Leaves 0.0027 at eta = 1.",
         claims=(_claim(0.01, 1.0, 0.00267, 1.0, _OURS),),
         function=_kulla_conty_internal,

@@ -35,7 +35,8 @@ FITS = (
         title="Schlick's albedo of F0",
         domains=(_GLASSES, METALS),
         latex=r"A\approx F_0+\frac{1-F_0}{21}",
-        reference="The average of C. Schlick's polynomial, 1994: 2 B(2, 6) = 1/21",
+        reference="The average of C. Schlick's polynomial, 2 B(2, 6) = 1/21, "
+        "doi:10.1111/1467-8659.1330233",
         note="Exact for Schlick's own curve; 1/21 remains at n = 1.",
         claims=(_claim(_GLASSES, 0.0477, (1.0, 0.0)), _claim(METALS, 0.0362, (4.0, 4.83))),
         function=_schlick,

@@ -1,0 +1,159 @@
+"""The exact albedos as the collection of formulas shows them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app.optics.albedo.coat import BODY_ALBEDO, coat_split
+from app.optics.albedo.exact import albedo
+from app.optics.albedo.flatland import flatland_albedo
+from app.optics.formula import ETA, Accuracy, Axis, Curve, Formula, Series, Symbol
+from app.optics.interface import Interface
+from app.optics.parameters import K_T, N_T
+
+_ALBEDO = Axis("albedo", "A", "albedo")
+
+
+def _over_eta(interface: Interface, samples: int) -> Curve:
+    eta = np.linspace(0.2, 4.0, samples)
+    found = albedo(Interface(1.0, eta, interface.kappa))
+    series = (
+        Series("unpolarized", "unpolarized", found.unpolarized),
+        Series("s", "s", found.s),
+        Series("p", "p", found.p),
+    )
+    return Curve(ETA, eta, _ALBEDO, series)
+
+
+def _both_sides(_: Interface, samples: int) -> Curve:
+    eta = np.linspace(1.0, 4.0, samples)
+    series = (
+        Series("outside", "from the thinner side", albedo(Interface(1.0, eta)).unpolarized),
+        Series("inside", "from the denser side", albedo(Interface(eta, 1.0)).unpolarized),
+    )
+    return Curve(ETA, eta, _ALBEDO, series)
+
+
+def _flatland(interface: Interface, samples: int) -> Curve:
+    eta = np.linspace(0.2, 4.0, samples)
+    media = Interface(1.0, eta, interface.kappa)
+    series = (
+        Series("flatland", "flatland", flatland_albedo(media)),
+        Series("unpolarized", "three dimensions", albedo(media).unpolarized),
+    )
+    return Curve(ETA, eta, _ALBEDO, series)
+
+
+def _coat(interface: Interface, samples: int) -> Curve:
+    body = np.linspace(0.0, 1.0, samples)
+    split = coat_split(Interface(1.0, interface.eta), body)
+    x = Axis(BODY_ALBEDO.name, BODY_ALBEDO.symbol, "albedo of the body under the coat")
+    series = (
+        Series("surface", "surface", split.surface),
+        Series("body", "body", split.body),
+        Series("absorbed", "absorbed", split.absorbed),
+    )
+    return Curve(x, body, Axis("share", "A", "share of diffuse light"), series)
+
+
+def _against_35_digits(value: float, over: str) -> tuple[Accuracy, ...]:
+    return (
+        Accuracy(
+            value=value,
+            of="A",
+            over=over,
+            against="35-digit arithmetic",
+            relative=True,
+            at_most=True,
+        ),
+    )
+
+
+FORMULAS = (
+    Formula(
+        id="albedo.exact",
+        title="Hemispherical albedo",
+        latex=r"A=2\int_0^{\pi/2}R(\theta_i)\,\sin\theta_i\cos\theta_i\,\mathrm{d}\theta_i",
+        reference="the definition, as in M. N. Ozisik, Radiative Transfer, Wiley 1973; E. d'Eon, "
+        "A Hitchhiker's Guide to Multiple Scattering, Fresnel Boundaries, 2019",
+        validity="Every interface; of absorbing media there is no closed form, and it is summed.",
+        accuracy=_against_35_digits(1e-13, "absorbers, eta and kappa up to 100"),
+        at=Interface(1.0, 1.5, 3.0),
+        takes=(K_T,),
+        curve=_over_eta,
+    ),
+    Formula(
+        id="albedo.dielectric",
+        title="Dielectric, closed form",
+        latex=r"A_s=\frac{z(2+z)}{3},\quad "
+        r"A_p=\frac{z}{2(1+z^2)^3}\left[P+(1+z)^4(1-z)^2(1+6z^2+z^4)\,T+8z(1+z)^2\ln z\right],"
+        r"\quad z=\frac{\eta-1}{\eta+1},"
+        r"\quad P=1+14z-4z^2-10z^3-2z^4+10z^5+4z^6+2z^7+z^8,"
+        r"\quad T=\frac{\operatorname{artanh}z-z}{z^3}",
+        reference="R. V. Dunkle, Thermal radiation characteristics of surfaces (1963); M. N. Ozisik, "
+        "Radiative Transfer (1973), p. 60; E. d'Eon, A Hitchhiker's Guide to Multiple Scattering "
+        "(2019); rewritten here so that nothing cancels as eta nears 1",
+        validity="Dielectrics from the thinner side, eta > 1; from the denser side by reciprocity.",
+        accuracy=_against_35_digits(1e-14, "eta from 1 + 1e-12 to 100"),
+        at=Interface(n_t=1.5),
+        curve=_over_eta,
+    ),
+    Formula(
+        id="albedo.reciprocity",
+        title="From the denser side",
+        latex=r"1-A(1/\eta)=\eta^2\left(1-A(\eta)\right)",
+        reference="W. G. Egan and T. W. Hilgeman, Optical Properties of Inhomogeneous Materials (1979); "
+        "E. d'Eon, A Hitchhiker's Guide to Multiple Scattering, Fresnel Boundaries, 2019",
+        validity="Dielectrics, for each polarization: what leaves a dense medium is limited to the cone "
+        "within the critical angle, and the rest is reflected inside.",
+        accuracy=_against_35_digits(1e-14, "eta from 0.001 to 1 - 1e-9"),
+        at=Interface(1.5, 1.0),
+        curve=_both_sides,
+    ),
+    Formula(
+        id="albedo.flatland",
+        title="Flatland albedo",
+        latex=r"A=\int_0^{\pi/2}R(\theta_i)\cos\theta_i\,\mathrm{d}\theta_i",
+        reference="W. A. Allen, Transmission of isotropic light across a dielectric surface in two and "
+        "three dimensions, J. Opt. Soc. Am. 63, 664 (1973), doi:10.1364/JOSA.63.000664, which gives the "
+        "closed form of a dielectric in elliptic integrals",
+        validity="Light and surface in a plane, as in two-dimensional teaching scenes. Where the closed "
+        "form's elliptic integral of the third kind is complex, its real part counts.",
+        accuracy=_against_35_digits(1e-11, "eta from 0.001 to 100, kappa up to 100"),
+        at=Interface(n_t=1.5),
+        takes=(K_T,),
+        curve=_flatland,
+    ),
+    Formula(
+        id="albedo.coat",
+        title="Diffuse body under a coat",
+        latex=r"\text{body}=(1-A_e)\frac{(1-A_i)\,\rho}{1-A_i\,\rho},\quad "
+        r"\text{absorbed}=(1-A_e)\frac{1-\rho}{1-A_i\,\rho},\quad \text{surface}=A_e",
+        symbols=(
+            Symbol("A_e", "albedo of the coat's surface from outside"),
+            Symbol("A_i", "albedo of the coat's surface from the body's side"),
+            Symbol(r"\text{body}", "share that the body scatters and the coat lets out"),
+            Symbol(r"\text{absorbed}", "share lost in the body"),
+            Symbol(r"\text{surface}", "share that the surface reflects"),
+        ),
+        parameters=(BODY_ALBEDO,),
+        reference="J. L. Saunderson, Calculation of the color of pigmented plastics, J. Opt. "
+        "Soc. Am. 32, "
+        "727 (1942), doi:10.1364/JOSA.32.000727",
+        validity="A clear coat over a body that scatters evenly in all directions, as in glossy "
+        "paint; for a "
+        "ray R takes the place of A_e on its way in.",
+        accuracy=(
+            Accuracy(
+                value=1e-14,
+                of="share",
+                over="eta from 1.1 to 4, body albedos up to 0.95",
+                against="the light followed bounce by bounce",
+                at_most=True,
+            ),
+        ),
+        at=Interface(n_t=1.5),
+        takes=(N_T,),
+        curve=_coat,
+    ),
+)

@@ -1,0 +1,150 @@
+"""What stands in the collection of formulas: equation, symbols, domain, source, error and curve.
+
+Models and fits of the albedo have declarations of their own; `app.optics.formulas` makes a `Formula`
+of each. Everything else, angles, exact albedos and conversions, is declared as a `Formula` where it is
+computed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal, cast, get_args
+
+from app.optics.interface import Interface
+from app.optics.parameters import Array, Parameter
+
+FormulaKind = Literal["model", "albedo", "angle", "conversion"]
+KINDS: tuple[FormulaKind, ...] = get_args(FormulaKind)
+
+
+@dataclass(frozen=True, slots=True)
+class Symbol:
+    """A letter of a formula.
+
+    Attributes
+    ----------
+    latex
+        As it is written in the formula.
+    meaning
+        In words, without a full stop.
+    unit
+        Empty for pure numbers.
+    """
+
+    latex: str
+    meaning: str
+    unit: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Accuracy:
+    """The largest error of a formula, which a test measures again.
+
+    Attributes
+    ----------
+    value
+        The error.
+    of
+        What is wrong by it: `R`, `A`, an angle, the value that comes back.
+    over
+        Where it was measured.
+    against
+        What it was measured against.
+    relative
+        Whether the error is relative to the value.
+    at_most
+        Whether `value` is a bound, as for rounding, which differs from one machine to another; else it
+        is the largest error itself, to the digits given.
+    unit
+        Of an absolute error.
+    """
+
+    value: float
+    of: str
+    over: str
+    against: str
+    relative: bool = False
+    at_most: bool = False
+    unit: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """What runs along an axis: name in the API, LaTeX, words, unit."""
+
+    name: str
+    symbol: str
+    title: str
+    unit: str = ""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Series:
+    """Values of one quantity along the abscissa."""
+
+    id: str
+    title: str
+    values: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Curve:
+    """A formula over its natural abscissa."""
+
+    x: Axis
+    at: Array
+    y: Axis
+    series: tuple[Series, ...]
+
+
+THETA = Axis("theta_i_deg", r"\theta_i", "angle of incidence", "deg")
+ETA = Axis("eta", r"\eta", "relative index n_t/n_i")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Formula:
+    """One formula as a reader meets it.
+
+    Attributes
+    ----------
+    id
+        Kind and name, as `model.schlick`.
+    title
+        Name on the page.
+    latex
+        The formula, in KaTeX's subset of LaTeX.
+    reference
+        Author, year, title.
+    validity
+        Where it holds and where it fails, in words.
+    accuracy
+        Its largest errors, at least one.
+    curve
+        `curve(interface, samples) -> Curve`.
+    at
+        The interface of the curve unless another is given.
+    takes
+        Which of the interface's numbers the curve depends on.
+    symbols
+        Letters that the common glossary and the parameters do not explain.
+    parameters
+        The formula's own parameters.
+    """
+
+    id: str
+    title: str
+    latex: str
+    reference: str
+    validity: str
+    accuracy: tuple[Accuracy, ...]
+    curve: Callable[[Interface, int], Curve]
+    at: Interface
+    takes: tuple[Parameter, ...] = ()
+    symbols: tuple[Symbol, ...] = ()
+    parameters: tuple[Parameter, ...] = ()
+
+    @property
+    def kind(self) -> FormulaKind:
+        """The part of the id before the dot."""
+        return cast("FormulaKind", self.id.partition(".")[0])

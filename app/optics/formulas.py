@@ -1,0 +1,190 @@
+"""The collection of formulas: models, exact albedos and their fits, angles and conversions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cache
+
+import numpy as np
+
+from app.optics import angles, conversion_formulas, snell
+from app.optics.albedo import albedo
+from app.optics.albedo import formulas as albedo_formulas
+from app.optics.albedo.fit import Claim, Fit
+from app.optics.albedo.fits import FITS
+from app.optics.amplitudes import power
+from app.optics.errors import UnknownName
+from app.optics.formula import (
+    ETA,
+    THETA,
+    Accuracy,
+    Axis,
+    Curve,
+    Formula,
+    FormulaKind,
+    Series,
+    Symbol,
+)
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import K_T, N_I, N_T
+from app.optics.registry import Measured, Model, Registry, Rounding, default_registry
+from app.optics.symbols import explain
+
+CONVENTIONS: dict[FormulaKind, str] = {
+    "model": "Angles from the surface normal, mu = cos(theta_i); N = n + i k, k of at least 0, time "
+    "factor exp(-i w t); r_p = -r_s at normal incidence; R is the mean of R_s and R_p.",
+    "albedo": "Light from the whole hemisphere, weighted by the cosine; n = eta and k = kappa are "
+    "relative to the incident medium, so that eta below 1 is the view from the denser side.",
+    "angle": "Angles from the surface normal; N = n + i k is relative to the incident medium, k of "
+    "at least 0, time factor exp(-i w t).",
+    "conversion": "F0 is linear, seen from the incident medium n_i, which is 1 unless a formula "
+    "names it; n_t and k_t, of at least 0, belong to the second medium.",
+}
+
+_FIT_SYMBOLS = (
+    Symbol("n", "relative index eta"),
+    Symbol("k", "relative extinction kappa"),
+)
+
+
+class UnknownFormula(UnknownName):
+    """An id that is no formula's."""
+
+
+def of_model(model: Model) -> Formula:
+    """Show a model: its curve beside the exact one over the angle."""
+    measured = [_at_interface(stated) for stated in model.measured]
+    rounding = [_rounded_at(stated) for stated in model.rounding]
+    stated: tuple[Measured | Rounding, ...] = (*model.measured, *model.rounding)
+    first = stated[0]
+
+    def curve(interface: Interface, samples: int) -> Curve:
+        theta = np.linspace(0.0, 90.0, samples)
+        incidence = Incidence.from_degrees(theta)
+        series = [Series("exact", "exact", power(interface, incidence).R)]
+        if model.id != "exact":
+            series.append(Series(model.id, model.title, model(interface, incidence)))
+        return Curve(THETA, theta, Axis("R", "R", "reflectance"), tuple(series))
+
+    return Formula(
+        id=f"model.{model.id}",
+        title=model.title,
+        latex=model.latex,
+        reference=model.reference,
+        validity=model.validity,
+        accuracy=(*measured, *rounding),
+        at=Interface(first.n_i, first.n_t, first.k_t),
+        takes=(N_I, N_T, K_T),
+        symbols=model.symbols,
+        parameters=model.parameters,
+        curve=curve,
+    )
+
+
+def of_fit(fit: Fit) -> Formula:
+    """Show a fit: its albedo beside the exact one over the relative index."""
+    domain = fit.domains[0]
+    conductor = domain.kind == "conductor"
+
+    def curve(interface: Interface, samples: int) -> Curve:
+        eta = np.linspace(*domain.eta, samples)
+        media = Interface(1.0, eta, interface.kappa if conductor else 0.0)
+        exact = getattr(albedo(media), fit.quantity)
+        y = Axis(
+            "albedo", "A", "albedo" if fit.quantity == "unpolarized" else f"albedo, {fit.quantity}"
+        )
+        series = (Series("exact", "exact", exact), Series(fit.id, fit.title, fit(media)))
+        return Curve(ETA, eta, y, series)
+
+    return Formula(
+        id=f"albedo.{fit.id}",
+        title=fit.title,
+        latex=fit.latex,
+        reference=fit.reference,
+        validity=f"{fit.note} Made for {' or '.join(d.words for d in fit.domains)}.",
+        accuracy=tuple(_claimed(claim) for claim in fit.claims),
+        at=Interface(1.0, 1.5, domain.kappa[0]),
+        takes=(K_T,) if conductor else (),
+        symbols=(*_FIT_SYMBOLS, *fit.symbols),
+        curve=curve,
+    )
+
+
+def _words(stated: Measured | Rounding) -> str:
+    return f"n_i = {stated.n_i:g}, n_t = {stated.n_t:.7g}, k_t = {stated.k_t:g}"
+
+
+def _at_interface(stated: Measured) -> Accuracy:
+    over = f"{_words(stated)}, largest at {stated.at_deg:g} degrees"
+    return Accuracy(value=stated.max_abs, of="R", over=over, against="exact")
+
+
+def _rounded_at(stated: Rounding) -> Accuracy:
+    return Accuracy(
+        value=stated.max_relative,
+        of="R",
+        over=f"{_words(stated)}, whole degrees below 90",
+        against="50-digit arithmetic",
+        relative=True,
+        at_most=True,
+    )
+
+
+def _claimed(claim: Claim) -> Accuracy:
+    eta, kappa = claim.at
+    at = f"largest at eta = {eta:g}" + (f", kappa = {kappa:g}" if kappa else "")
+    over = f"{claim.measured_over.words}; {at}"
+    return Accuracy(
+        value=claim.measured, of="A", over=over, against="exact", relative=claim.relative
+    )
+
+
+class Formulas(Mapping[str, Formula]):
+    """Formulas by id: models, exact albedos, fits, angles, conversions, each in its registry's order."""
+
+    def __init__(self, registry: Registry) -> None:
+        all_of_them = (
+            *(of_model(model) for model in registry.values()),
+            *albedo_formulas.FORMULAS,
+            *(of_fit(fit) for fit in FITS.values()),
+            *snell.FORMULAS,
+            *angles.FORMULAS,
+            *conversion_formulas.FORMULAS,
+        )
+        self._formulas = {formula.id: formula for formula in all_of_them}
+        if len(self._formulas) != len(all_of_them):
+            raise ValueError("two formulas share an id")
+
+    def __getitem__(self, formula_id: str) -> Formula:
+        return self._formulas[formula_id]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._formulas)
+
+    def __len__(self) -> int:
+        return len(self._formulas)
+
+    def find(self, formula_id: str, parameter: str = "formula_id") -> Formula:
+        """Return the formula of that id.
+
+        Raises
+        ------
+        UnknownFormula
+            If there is none, naming the nearest ids.
+        """
+        try:
+            return self._formulas[formula_id]
+        except KeyError:
+            raise UnknownFormula(parameter, formula_id, self._formulas) from None
+
+
+def symbols_of(formula: Formula) -> list[Symbol]:
+    """What every letter of the formula means, in the order of appearance."""
+    return explain(formula.latex, formula.symbols, formula.parameters)
+
+
+@cache
+def default_formulas() -> Formulas:
+    """The formulas of everything that is registered."""
+    return Formulas(default_registry())
