@@ -8,7 +8,6 @@ import typer
 from pydantic import ValidationError
 
 from app import __version__, server
-from app.main import create_app
 from app.settings import Settings
 
 cli = typer.Typer(
@@ -40,9 +39,12 @@ def default(
 def serve(
     host: Annotated[str | None, typer.Option(help="Address, FRESNEL_HOST otherwise.")] = None,
     port: Annotated[int | None, typer.Option(help="Port, FRESNEL_PORT otherwise.")] = None,
+    workers: Annotated[
+        int | None, typer.Option(help="Processes, FRESNEL_WORKERS otherwise.")
+    ] = None,
 ) -> None:
     """Serve the page and the API until interrupted."""
-    given = {"host": host, "port": port}
+    given = {"host": host, "port": port, "workers": workers}
     try:
         settings = Settings.model_validate({k: v for k, v in given.items() if v is not None})
     except ValidationError as error:
@@ -50,10 +52,11 @@ def serve(
         hint = f"--{first['loc'][0]} or FRESNEL_{str(first['loc'][0]).upper()}"
         raise typer.BadParameter(f"{first['input']!r}: {first['msg']}", param_hint=hint) from None
     server.serve(
-        create_app(settings),
-        settings.host,
-        settings.port,
-        announce=lambda url: typer.echo(f"Fresnel Explorer {__version__} at {url}"),
+        settings,
+        # Standard output is for the access log alone, where there is one.
+        announce=lambda url: typer.echo(
+            f"Fresnel Explorer {__version__} at {url}", err=settings.access_log
+        ),
     )
 
 

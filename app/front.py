@@ -69,13 +69,15 @@ class Front:
             await self.app(scope, receive, send)
             return
         path: str = scope["path"].removeprefix(scope["root_path"])
+        route, parts = self._find(path)
+        if route is None:
+            await self.app(scope, receive, send)
+            return
         asked = (path, scope["query_string"])
         ready = self._cache.get(asked)
+        found = "miss" if ready is None else "hit"
+        scope.update(route=route, path_params=parts)  # for the log, as FastAPI does
         if ready is None:
-            route, parts = self._find(path)
-            if route is None:
-                await self.app(scope, receive, send)
-                return
             try:
                 ready = await self._fresh(route, parts, asked)
             except PROBLEMS as error:
@@ -83,6 +85,8 @@ class Front:
                 reply = Reply(response.status_code, response.raw_headers, bytes(response.body))
                 await _send(reply, scope, send)
                 return
+        if ready.cacheable:
+            scope["cache"] = found
         coding = ready.coding(scope["headers"])
         if ready.takes_long(coding):
             await self._pool.run(lambda: ready.encoded(coding))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fastapi import APIRouter, FastAPI
+from starlette.types import ASGIApp
 
 from app import __version__
 from app.api import (
@@ -23,7 +24,12 @@ from app.api import (
 )
 from app.api.route import QueryRoute
 from app.cache import AnswerCache
+from app.drain import Drain
 from app.front import Front
+from app.observe.access_log import AccessLog
+from app.observe.metrics import Metrics
+from app.observe.middleware import Observed
+from app.observe.route import metrics_router
 from app.optics.registry import Registry, default_registry
 from app.page import Page, SecurityHeaders
 from app.pool import Pool
@@ -42,6 +48,17 @@ is allowed; nothing is clamped, guessed or ignored.
 """
 
 
+class _Application(FastAPI):
+    """FastAPI inside of layers that see every answer, those to crashes included."""
+
+    def build_middleware_stack(self) -> ASGIApp:
+        settings: Settings = self.state.settings
+        drain: Drain = self.state.drain
+        access_log = AccessLog() if settings.access_log else None
+        inner = drain.around(super().build_middleware_stack())
+        return Observed(inner, self.state.metrics, access_log)
+
+
 def create_app(settings: Settings | None = None, registry: Registry | None = None) -> FastAPI:
     """Build the application.
 
@@ -54,7 +71,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     """
     settings = settings or Settings()
     registry = registry or default_registry()
-    app = FastAPI(
+    app = _Application(
         title="Fresnel Explorer",
         version=__version__,
         description=_DESCRIPTION,
@@ -68,10 +85,13 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
             }
         },
     )
+    app.state.settings = settings
+    app.state.metrics = Metrics()
+    app.state.drain = drain = Drain(settings.drain_s)
     routers: list[APIRouter] = [
         curves.router(registry),
         snell.router(),
-        health.router(),
+        health.router(drain),
         models.router(registry),
         errors.router(registry),
         error_grids.router(registry),
@@ -97,5 +117,6 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     )
     for router in routers:
         app.include_router(router, prefix=API_PREFIX)
+    app.include_router(metrics_router())
     app.router.routes.append(Fallback("/", Page(settings.static_dir), name="page"))
     return app

@@ -21,6 +21,16 @@ class Settings(BaseSettings):
 
     host: str = Field("127.0.0.1", description="Address to listen on.")
     port: int = Field(8000, ge=0, le=65535, description="Port to listen on; 0 takes a free one.")
+    workers: int = Field(1, ge=1, le=256, description="Processes that answer at the same port.")
+    access_log: bool = Field(
+        False, description="Write a line of JSON to standard output for every request."
+    )
+    drain_s: float = Field(
+        0.0, ge=0, le=3600, description="Seconds to go on answering after SIGTERM, not ready."
+    )
+    grace_s: int = Field(
+        25, ge=0, le=3600, description="Seconds that requests in flight are then given to end."
+    )
     static_dir: Path = Field(default_factory=_static_dir, description="Folder of the page's files.")
     max_age_s: int = Field(
         3600, ge=0, description="How long caches may keep an answer of the API, in seconds."

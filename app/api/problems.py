@@ -22,7 +22,7 @@ MEDIA_TYPE = "application/problem+json"
 API_HEADERS = [
     # Sent to everybody: a cache would hand an answer without them to a page of another origin.
     (b"access-control-allow-origin", b"*"),
-    (b"access-control-expose-headers", b"ETag"),
+    (b"access-control-expose-headers", b"ETag, X-Request-ID"),
     (b"x-content-type-options", b"nosniff"),
 ]
 """On every answer of the API, errors included."""

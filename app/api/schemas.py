@@ -155,6 +155,12 @@ class ParametersOut(BaseModel):
     parameters: list[ParameterOut]
 
 
+class StatusOut(BaseModel):
+    """That all is well; anything else is a problem."""
+
+    status: Literal["ok"]
+
+
 class HealthOut(BaseModel):
     """Whether the server works, and what it is made of."""
 

@@ -82,7 +82,7 @@ def test_help_names_the_commands_and_options() -> None:
     assert "--version" in printed
     code, printed = run("serve", "--help")
     assert code == 0
-    for word in ("--host", "--port", "FRESNEL_HOST", "FRESNEL_PORT"):
+    for word in ("--host", "--port", "--workers", "FRESNEL_HOST", "FRESNEL_WORKERS"):
         assert word in printed
 
 

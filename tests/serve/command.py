@@ -1,0 +1,143 @@
+"""The command as a process, and clients that keep count of what they get."""
+
+from __future__ import annotations
+
+import http.client
+import json
+import os
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from urllib.parse import urlsplit
+
+ROOT = Path(__file__).parents[2]
+COMMAND = [sys.executable, "-c", "from app.cli import main; main()"]
+"""What `fresnel-explorer` runs, of this checkout whatever is installed."""
+
+PATIENCE_S = 60.0  # starting takes two seconds, and far longer on a machine with much else to do
+API = "/api/v1"
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What came back."""
+
+    status: int
+    headers: http.client.HTTPMessage
+    body: bytes
+
+
+class Served:
+    """A running server: its process, its address, what it printed."""
+
+    def __init__(self, process: subprocess.Popen[bytes], url: str, output: Path) -> None:
+        self.process = process
+        self.host, self.port = urlsplit(url).hostname, urlsplit(url).port
+        self._output = output
+
+    def connect(self) -> http.client.HTTPConnection:
+        assert self.host is not None
+        return http.client.HTTPConnection(self.host, self.port, timeout=PATIENCE_S)
+
+    def ask(self, target: str, method: str = "GET", **headers: str) -> Answer:
+        """Send one request over a connection of its own."""
+        connection = self.connect()
+        try:
+            named = {name.replace("_", "-"): value for name, value in headers.items()}
+            connection.request(method, target, headers={"Connection": "close", **named})
+            answer = connection.getresponse()
+            return Answer(answer.status, answer.headers, answer.read())
+        finally:
+            connection.close()
+
+    def logged(self) -> list[dict[str, object]]:
+        """Read the access log: every line of standard output is a JSON object."""
+        return [json.loads(line) for line in self._output.read_text("utf-8").splitlines()]
+
+
+@contextmanager
+def serving(folder: Path, *arguments: str, **environment: str) -> Iterator[Served]:
+    """Start `fresnel-explorer serve` on a free port and wait until it answers."""
+    output, errors = folder / "stdout", folder / "stderr"
+    with (
+        output.open("wb") as out,
+        errors.open("wb") as err,
+        subprocess.Popen(
+            [*COMMAND, "serve", "--port", "0", *arguments],
+            cwd=ROOT,
+            env=os.environ | {"FRESNEL_ACCESS_LOG": "true"} | environment,
+            stdout=out,
+            stderr=err,
+        ) as process,
+    ):
+        try:
+            wait_for(lambda: " at http" in errors.read_text("utf-8"))
+            line = next(s for s in errors.read_text("utf-8").splitlines() if " at http" in s)
+            served = Served(process, line.split()[-1], output)
+            wait_for(lambda: answers(served, f"{API}/health/ready"))
+            yield served
+        finally:
+            process.terminate()
+            try:
+                process.wait(PATIENCE_S)
+            finally:
+                process.kill()
+
+
+def answers(served: Served, target: str) -> bool:
+    """Whether a GET is answered with 200; a server that does not listen yet answers nothing."""
+    try:
+        return served.ask(target).status == 200
+    except (OSError, http.client.HTTPException):
+        return False
+
+
+def wait_for(condition: Callable[[], bool], seconds: float = PATIENCE_S) -> None:
+    """Return once the condition holds."""
+    until = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < until, "waited in vain"
+        time.sleep(0.02)
+
+
+@dataclass
+class Load:
+    """Clients that ask again and again over connections they keep, until they are told to stop."""
+
+    served: Served
+    targets: list[str]
+    clients: int = 8
+    statuses: list[int] = field(default_factory=list)
+    failures: list[str] = field(default_factory=list)
+    done: threading.Event = field(default_factory=threading.Event)
+
+    def __enter__(self) -> Load:
+        self._threads = [threading.Thread(target=self._run) for _ in range(self.clients)]
+        for thread in self._threads:
+            thread.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.done.set()
+        for thread in self._threads:
+            thread.join()
+
+    def _run(self) -> None:
+        connection = self.served.connect()
+        turn = 0
+        while not self.done.is_set():
+            turn += 1
+            try:
+                connection.request("GET", self.targets[turn % len(self.targets)])
+                answer = connection.getresponse()
+                answer.read()
+                self.statuses.append(answer.status)
+            except (OSError, http.client.HTTPException) as error:
+                self.failures.append(repr(error))
+                connection.close()
+        connection.close()
