@@ -134,6 +134,7 @@ test("while something moves only curves are asked for, and slow questions come l
     "errors@3",
     "convert",
     "recommend",
+    "shader",
   ]);
   const swept = later(stateWith({ over: "k" }), CATALOG);
   assert.match(swept["sweep:schlick"] ?? "", /over=k_t&minimum=0&maximum=5&steps=201$/);
@@ -322,4 +323,13 @@ test("what is converted follows the media, the boxes and the picture's color", (
   ];
   assert.equal(filled("nk", results), "0.123457;3");
   assert.equal(filled("rg", results), null);
+});
+
+test("the code shown is that of a model on the screen, of numbers or of colors", () => {
+  const state = stateWith({ against: ["schlick"], language: "wgsl" });
+  assert.equal(later(state, CATALOG).shader, "/shaders/schlick?language=wgsl");
+  const colors = { ...state, channels: "3", code: "exact" };
+  assert.equal(later(colors, CATALOG).shader, "/shaders/exact?language=wgsl&channels=3");
+  const gone = { ...state, code: "spherical_gaussian" };
+  assert.equal(later(gone, CATALOG).shader, "/shaders/schlick?language=wgsl");
 });

@@ -2,6 +2,7 @@
 
 import { EXAMPLES } from "../examples.js";
 import { parameterFields } from "../model-parameters.js";
+import { snippetFields } from "../snippets/fields.js";
 import { choice, LinkError, list, number } from "../state.js";
 import { SOURCES } from "./conversions.js";
 import { COLUMNS } from "./metrics.js";
@@ -99,9 +100,13 @@ export function compareFields({ models, parameters }) {
     from: choice("media", Object.keys(SOURCES)),
     given: words(),
     seen_from: number({ default: null, minimum: 1e-3, maximum: 100 }),
+    ...snippetFields(models),
     ...parameterFields(models),
   };
 }
+
+/** Models whose code is offered: those on the screen. @param {State} state @returns {string[]} */
+export const withCode = ({ against }) => [...against, "exact"];
 
 /** The model whose map is shown. @param {State} state @returns {string} */
 export function focused({ focus, against }) {

@@ -1,8 +1,9 @@
 /** What the Compare view asks the server for. */
 
 import { parameterQuery } from "../model-parameters.js";
+import { snippetPath } from "../snippets/fields.js";
 import { convertPath } from "./conversions.js";
-import { focused, isMap, isPointwise, ranges } from "./fields.js";
+import { focused, isMap, isPointwise, ranges, withCode } from "./fields.js";
 
 /**
  * @typedef {import('../types.js').Catalog} Catalog
@@ -143,6 +144,7 @@ export function later(state, catalog) {
   }
   wanted.convert = convertPath(state);
   wanted.recommend = recommendPath(state, catalog);
+  wanted.shader = snippetPath(state, withCode(state));
   return wanted;
 }
 

@@ -4,7 +4,7 @@ import { candidatesOf, rowsOf } from "../compare/answers.js";
 import { createControls } from "../compare/controls.js";
 import { createConvert } from "../compare/convert.js";
 import { createExamples } from "../compare/examples.js";
-import { compareFields, isMap } from "../compare/fields.js";
+import { compareFields, isMap, withCode } from "../compare/fields.js";
 import { createFigure } from "../compare/figure.js";
 import { short } from "../compare/metrics.js";
 import { createPlots } from "../compare/plots.js";
@@ -14,6 +14,7 @@ import { createTable } from "../compare/table.js";
 import { h } from "../dom.js";
 import { createDefinitions } from "../explore/definitions.js";
 import { angle } from "../format.js";
+import { createSnippets } from "../snippets/panel.js";
 import { loadStyle } from "../style.js";
 
 export { later, queries, restCalls };
@@ -46,6 +47,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
   const figure = createFigure({ parent: element, catalog, actions, save });
   const recommend = createRecommend({ models, state, actions });
   const convert = createConvert({ state, actions });
+  const snippets = createSnippets({ models, actions, say, save });
   const definitions = createDefinitions(models, typeset);
   const table = createTable({
     models,
@@ -65,6 +67,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
     ),
     recommend.element,
     convert.element,
+    snippets.element,
   );
 
   /** @type {Record<string, {title: string, lines: string[]}>} what went wrong, by the query's name */
@@ -114,6 +117,7 @@ export function createView({ element, catalog, presets, state, actions, say, sav
         figure.update(now, answers);
         recommend.update(now, answers.recommend, problems.recommend);
         convert.update(now, answers.convert, problems.convert);
+        snippets.update(now, withCode(now), fresh.shader, problems.shader);
       }
     },
 
@@ -131,9 +135,10 @@ export function createView({ element, catalog, presets, state, actions, say, sav
 
     /** @param {string} name @param {{title: string, lines: string[]}} problem */
     problem(name, problem) {
-      if (name !== "recommend" && name !== "convert") return false;
+      if (name !== "recommend" && name !== "convert" && name !== "shader") return false;
       problems[name] = problem;
       if (name === "recommend") recommend.update(state(), before.recommend, problem);
+      else if (name === "shader") snippets.update(state(), withCode(state()), null, problem);
       else convert.update(state(), before.convert, problem);
       return true;
     },
