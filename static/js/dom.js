@@ -27,7 +27,11 @@ export function h(tag, attributes = {}, ...children) {
 
 /** @param {HTMLElement} element @param {string} text set only if different, to spare the layout */
 export function setText(element, text) {
-  if (element.textContent !== text) element.textContent = text;
+  const only = element.firstChild;
+  // the node stays, which spares the page a change of its tree
+  if (only instanceof Text && only === element.lastChild) {
+    if (only.data !== text) only.data = text;
+  } else if (element.textContent !== text) element.textContent = text;
 }
 
 /** @param {string} id @returns {HTMLElement} the element that index.html promises */

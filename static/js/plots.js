@@ -8,6 +8,7 @@
  * and, where an abscissa can be picked, a slider on the axis.
  */
 
+import { put } from "./draw/svg.js";
 import { plainText } from "./draw/symbols.js";
 import { plain } from "./format.js";
 import { createFastPath } from "./plot/fast.js";
@@ -166,14 +167,14 @@ export function createPlot(element, options) {
     if (handle.textContent !== value) handle.textContent = value;
     handle.style.transform = `translate(${arrangement.xPixel(x)}px, ${frame.y + frame.height + 4}px) translateX(-50%)`;
     if (!options.onPick) return;
-    handle.setAttribute("aria-valuenow", String(x));
+    put(handle, "aria-valuenow", x);
     const said = points
       .filter(({ y }) => y !== null)
       .map(({ id, y }) => {
         const trace = traces.find((candidate) => candidate.id === id);
         return trace ? `${plainText(trace.label)} ${(y ?? 0).toPrecision(6)}` : "";
       });
-    handle.setAttribute("aria-valuetext", [value, ...said].filter(Boolean).join(", "));
+    put(handle, "aria-valuetext", [value, ...said].filter(Boolean).join(", "));
   };
 
   const decorate = () => {
@@ -320,7 +321,7 @@ export function createPlot(element, options) {
         void draw(next, nextMarks ?? marks, bands);
         return;
       }
-      element.dataset.fast = "";
+      if (!("fast" in element.dataset)) element.dataset.fast = "";
       traces = next;
       if (nextMarks) marks = nextMarks;
       decorate();

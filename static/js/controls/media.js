@@ -2,6 +2,7 @@
 
 import { NEGLIGIBLE } from "../constants.js";
 import { h, setText } from "../dom.js";
+import { put } from "../draw/svg.js";
 import { plain, significant, stretch } from "../format.js";
 import { createPicker } from "./picker.js";
 import { createWavelength } from "./wavelength.js";
@@ -102,7 +103,7 @@ export function createMedia({ materials, onPick, onSwap, actions, prefix = "" })
       from.show(nameable(materials, incident, n_i, 0));
       into.show(nameable(materials, material, n_t, k_t));
       const absorbing = k_t > 0;
-      swap.setAttribute("aria-disabled", String(absorbing));
+      put(swap, "aria-disabled", String(absorbing));
       const left = materials.find((m) => m.id === incident)?.k;
       const why = [
         left ? `n_i is real: k = ${significant(left, 2)} is left out.` : "",
@@ -125,5 +126,22 @@ export function createMedia({ materials, onPick, onSwap, actions, prefix = "" })
  * @returns {string | null}
  */
 export function nameable(materials, id, n, k) {
-  return id ?? materials.find((m) => m.n === n && (m.k ?? 0) === k)?.id ?? null;
+  if (id !== null) return id;
+  let known = named.get(materials);
+  if (!known) {
+    // from the end, so that the first of several with the same indices stays
+    known = new Map(
+      materials.map((m) => /** @type {const} */ ([indexKey(m.n, m.k), m.id])).reverse(),
+    );
+    named.set(materials, known);
+  }
+  return known.get(indexKey(n, k)) ?? null;
+}
+
+/** The presets by their indices: every frame of a drag asks. @type {WeakMap<Material[], Map<string, string>>} */
+const named = new WeakMap();
+
+/** @param {number | null} n @param {number | null} k */
+function indexKey(n, k) {
+  return `${n} ${k ?? 0}`;
 }

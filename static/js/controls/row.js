@@ -1,6 +1,7 @@
 /** A Manipulate row: symbol, name, number box; below it play, slider, range. */
 
 import { h, setText, symbol } from "../dom.js";
+import { put } from "../draw/svg.js";
 import { ExpressionError, evaluate } from "../expression.js";
 import { plain } from "../format.js";
 import { clamp, snap, stepped } from "../snap.js";
@@ -298,22 +299,22 @@ export function createRow({
     }
     if (state === shown) return;
     shown = state;
-    slider.min = String(a);
-    slider.max = String(b);
+    put(slider, "min", a);
+    put(slider, "max", b);
     slider.value = String(value);
-    slider.setAttribute("aria-valuetext", left ? "from the media" : text);
+    put(slider, "aria-valuetext", left ? "from the media" : text);
     element.toggleAttribute("data-left", left);
     slider.style.setProperty("--fill", String((value - a) / (b - a || 1)));
     setText(low, write.end(a));
     setText(high, write.end(b));
     const open = wide !== undefined && (a !== range[0] || b !== range[1]);
-    widen.setAttribute("aria-pressed", String(open));
+    put(widen, "aria-pressed", String(open));
     setText(widen, open ? "less" : "more");
     const wanted = landmarks.filter((l) => l.value >= a && l.value <= b);
     while (ticks.children.length > wanted.length) ticks.lastElementChild?.remove();
     wanted.forEach((l, index) => {
       const tick = /** @type {HTMLElement} */ (ticks.children[index] ?? ticks.appendChild(h("i")));
-      tick.title = l.label;
+      put(tick, "title", l.label);
       tick.style.setProperty("--at", String((l.value - a) / (b - a || 1)));
       tick.toggleAttribute("data-on", l.value === value);
     });
