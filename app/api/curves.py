@@ -28,7 +28,7 @@ from app.api.responses import (
 )
 from app.api.route import QueryRoute
 from app.api.schemas import CurvesOut
-from app.optics.amplitudes import Complex, amplitudes, power
+from app.optics.amplitudes import amplitudes, phase_deg, power
 from app.optics.angles import brewster_deg, critical_deg, pseudo_brewster_deg
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
@@ -76,10 +76,6 @@ def sampled_angles(interface: Interface, samples: int, landmarks: bool) -> Array
     return np.unique(np.concatenate([angles, marks[np.isfinite(marks)]]))
 
 
-def _phase_deg(amplitude: Complex) -> Array:
-    return np.degrees(np.angle(amplitude + 0.0))  # + 0 turns -0 into 0: the phase is 180, not -180
-
-
 def exact_curves(
     interface: Interface, incidence: Incidence, phase: bool, refraction: bool
 ) -> Iterator[tuple[str, Array]]:
@@ -91,8 +87,8 @@ def exact_curves(
     yield "T", energy.T
     if phase:
         amplitude = amplitudes(interface, incidence)
-        yield "phase_s_deg", _phase_deg(amplitude.r_s)
-        yield "phase_p_deg", _phase_deg(amplitude.r_p)
+        yield "phase_s_deg", phase_deg(amplitude.r_s)
+        yield "phase_p_deg", phase_deg(amplitude.r_p)
     if refraction:
         yield "theta_t_deg", refraction_angle_deg(interface, incidence)
         yield (

@@ -40,6 +40,7 @@ def describe(model: Model) -> dict[str, Any]:
         "id": model.id,
         "title": model.title,
         "kind": model.kind,
+        "trap": model.trap,
         "applies_to": list(model.applies_to),
         "parameters": [asdict(parameter) for parameter in model.parameters],
         "latex": model.latex,

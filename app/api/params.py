@@ -96,7 +96,7 @@ class InterfaceQuery(QueryModel):
     k_t: Number = number(K_T, examples=[0.0])
     material: str | None = preset_name(
         "Id or alias of a preset in place of n_t and k_t, as listed at /materials; a k that its "
-        "source does not give counts as 0, which the answer says.",
+        "source does not give, or below 1e-6, counts as 0, which the answer says.",
         "Au",
     )
     incident: str | None = preset_name(
@@ -130,7 +130,7 @@ class InterfaceQuery(QueryModel):
             with reported_as():
                 self._material = resolve_material(self.material, self.wavelength_nm)
             object.__setattr__(self, "n_t", self._material.constants.n)
-            object.__setattr__(self, "k_t", self._material.constants.k or 0.0)
+            object.__setattr__(self, "k_t", self._material.k_t)
         if self.incident is not None:
             with reported_as(material="incident"):
                 self._incident = resolve_incident(self.incident, self.wavelength_nm)

@@ -15,7 +15,12 @@ from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_T
 
 NEGLIGIBLE_K = 1e-6
-"""k below which a medium may be in front: light of 500 nm goes 40 mm before it falls to 1/e."""
+"""k below which a preset counts as transparent: light of 500 nm goes 40 mm before it falls to 1/e.
+
+One rule for both sides of a boundary and for the page (static/js/constants.js): the answer still
+tells the measured k, and a warning says that it counts as 0. Glass measured as 1e-8 would otherwise
+be a conductor without Brewster's angle. Numbers given as `k_t` are taken as they are.
+"""
 
 
 @cache
@@ -51,6 +56,12 @@ class Resolved:
     preset: Preset
     constants: Constants
     warnings: tuple[str, ...]
+
+    @property
+    def k_t(self) -> float:
+        """What the k counts as in the second medium: 0 where it is not known or negligible."""
+        k = self.constants.k
+        return 0.0 if k is None or k < NEGLIGIBLE_K else k
 
     def as_json(self) -> dict[str, Any]:
         """Describe where n and k come from."""
@@ -91,7 +102,7 @@ class PresetInterface(Interface):
 def resolve_material(name: str, wavelength_nm: float | None) -> Resolved:
     """Evaluate a preset as the second medium.
 
-    A k that is not known counts as 0, which the warnings say.
+    A k that is not known or below `NEGLIGIBLE_K` counts as 0, which the warnings say.
 
     Raises
     ------
@@ -107,8 +118,8 @@ def resolve_material(name: str, wavelength_nm: float | None) -> Resolved:
         warnings.append("k is not known and counts as 0")
     elif 0.0 < constants.k < NEGLIGIBLE_K:
         warnings.append(
-            f"k = {constants.k:.3g} makes this an absorbing medium, with no Brewster's angle; "
-            f"give n_t = {constants.n:.17g} alone to leave k out"
+            f"k = {constants.k:.3g} is below {NEGLIGIBLE_K:g} and counts as 0; "
+            f"give n_t = {float(constants.n)!r} and k_t = {float(constants.k)!r} to keep it"
         )
     return Resolved(preset, constants, tuple(warnings))
 

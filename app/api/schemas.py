@@ -52,7 +52,9 @@ class ComplexOut(BaseModel):
     re: float
     im: float
     abs: float
-    phase_deg: float = Field(description="Argument in degrees, -180 to 180.")
+    phase_deg: float = Field(
+        description="Argument in degrees, -180 to 180; at 90 degrees the limit from smaller angles."
+    )
 
 
 class SnellOut(BaseModel):
@@ -131,6 +133,7 @@ class ModelOut(BaseModel):
     id: str
     title: str
     kind: Literal["exact", "approximation"]
+    trap: bool = Field(description="Whether the model is kept to show a mistake.")
     applies_to: list[Literal["dielectric", "conductor"]]
     parameters: list[ParameterOut]
     latex: str

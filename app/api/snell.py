@@ -12,7 +12,7 @@ from app.api.params import AngleQuery, DigitsQuery, InterfaceQuery
 from app.api.responses import CONVENTION, interface_json, json_body, number_or_null
 from app.api.route import QueryRoute
 from app.api.schemas import SnellOut
-from app.optics.amplitudes import amplitudes, power
+from app.optics.amplitudes import amplitudes, phase_deg, power
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.snell import (
@@ -27,13 +27,11 @@ class SnellQuery(DigitsQuery, AngleQuery, InterfaceQuery):
 
 
 def _complex_json(value: complex) -> dict[str, float]:
-    # Adding 0 turns -0 into 0, so that a negative real amplitude has the phase 180, not -180.
-    real, imaginary = value.real + 0.0, value.imag + 0.0
     return {
-        "re": real,
-        "im": imaginary,
+        "re": value.real,
+        "im": value.imag + 0.0,  # 0, never -0
         "abs": abs(value),
-        "phase_deg": float(np.degrees(np.arctan2(imaginary, real))),
+        "phase_deg": float(phase_deg(np.asarray(value))),
     }
 
 

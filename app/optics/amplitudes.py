@@ -131,7 +131,8 @@ def amplitudes(interface: Interface, incidence: Incidence) -> Amplitudes:
     -------
     Amplitudes
         Complex arrays of the broadcast shape. t refers to the electric field, so t_p carries the
-        ratio of the indices: t_s = 1 + r_s, t_p = (1 + r_p) / N.
+        ratio of the indices: t_s = 1 + r_s, t_p = (1 + r_p) / N. At 90 degrees both r are -1, and
+        the sign of their imaginary zero is that of the limit, see `phase_deg`.
 
     Examples
     --------
@@ -157,12 +158,36 @@ def _amplitudes(interface: Interface, incidence: Incidence) -> tuple[Complex, ..
         t_s, t_p = 2.0 * c / den_s, 2.0 * index * c / den_p
     # Without a boundary (N = 1) a grazing ray still meets none: 0/0 above is r = 0, t = 1.
     matched = (contrast == 0.0) & (den_s == 0.0)
+    # Towards 90 degrees r_s = -1 + 2 c/q and r_p = -1 + 2 c N^2/q, from below the axis or above it.
+    grazing = (c == 0.0) & ~matched
     return (
-        np.where(matched, 0.0, r_s),
-        np.where(matched, 0.0, r_p),
-        np.where(matched, 1.0, t_s),
-        np.where(matched, 1.0, t_p),
+        _at_grazing(grazing, q.b > 0.0, np.where(matched, 0.0, r_s)),
+        _at_grazing(grazing, square.imag * q.a < square.real * q.b, np.where(matched, 0.0, r_p)),
+        np.where(matched, 1.0, t_s + 0.0),
+        np.where(matched, 1.0, t_p + 0.0),
     )
+
+
+def _at_grazing(grazing: NDArray[np.bool_], below: NDArray[np.bool_], r: Complex) -> Complex:
+    """Set -1 at 90 degrees with the imaginary zero of its limit; all other zeros are positive."""
+    kept = np.where(grazing, -1.0, r + 0.0)
+    kept.imag = np.where(grazing & below, -0.0, kept.imag)
+    return np.asarray(kept)
+
+
+def phase_deg(amplitude: Complex) -> Array:
+    """Phase of an amplitude in degrees, -180 to 180.
+
+    Without absorption a negative amplitude has the phase 180. At 90 degrees the phase is the limit
+    from smaller angles, -180 where the second medium absorbs or reflects totally (Born and Wolf,
+    1.5.4: delta = -2 atan(b/c) falls from 0 at the critical angle to -180), so that no curve jumps.
+
+    Parameters
+    ----------
+    amplitude
+        r_s or r_p of `amplitudes`, or any complex numbers.
+    """
+    return np.asarray(np.degrees(np.angle(amplitude)))
 
 
 def power(interface: Interface, incidence: Incidence) -> Power:

@@ -103,6 +103,8 @@ class Model:
         Author, year, title, equation number.
     validity
         Where the formula holds and where it fails, in words.
+    trap
+        Whether it is kept to show a mistake; its title ends in "(trap)".
     cost
         Operations of one evaluation.
     function
@@ -143,6 +145,7 @@ class Model:
     solve: Callable[..., Mapping[str, Array]] | None = None
     limits: Callable[[Interface], str | None] = field(default=lambda _: None)
     kinks: Callable[..., Array] | None = None
+    trap: bool = False
     measured: tuple[Measured, ...] = ()
     snippet: Callable[..., Array] | str | None = None
     rounding: tuple[Rounding, ...] = ()

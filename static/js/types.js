@@ -4,7 +4,7 @@
  * @typedef {{name: string, symbol: string, default: number | null, minimum: number, maximum: number,
  *   unit: string, description: string, integer?: boolean, choices?: [string, number][], triple?: boolean}} Parameter
  * @typedef {{id: string, title: string, kind: string, applies_to: string[], parameters: Parameter[],
- *   latex: string, reference: string, validity: string, cost: unknown}} Model
+ *   latex: string, reference: string, validity: string, cost: unknown, trap?: boolean}} Model
  * @typedef {{id: string, name: string, category: string, n: number, k: number | null,
  *   wavelength_nm: number | null, kind: string, rival_of: string | null,
  *   n_range_nm: [number, number] | null}} Material

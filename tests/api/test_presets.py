@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -11,6 +13,7 @@ from fastapi import FastAPI
 
 from app.api.presets import NEGLIGIBLE_K, default_catalog
 from app.api.schemas import InterfaceOut
+from app.settings import Settings
 
 Ask = Callable[..., httpx.Response]
 PRESETS = ("material", "incident", "wavelength_nm")
@@ -29,7 +32,8 @@ def refused(answer: httpx.Response, parameter: str) -> str:
 def test_a_material_stands_for_its_numbers(ask: Ask, path: str, id: str) -> None:  # noqa: A002
     known = default_catalog().constants(id)
     named = ask(path, material=id).json()
-    told = ask(path, n_t=known.n, k_t=known.k or 0.0).json()
+    k_t = 0.0 if known.k is None or known.k < NEGLIGIBLE_K else known.k
+    told = ask(path, n_t=known.n, k_t=k_t).json()
     preset = named["interface"].pop("material")
     assert (preset["id"], preset["n"], preset["k"]) == (id, known.n, known.k)
     assert preset["wavelength_nm"] == known.wavelength_nm
@@ -97,7 +101,7 @@ def test_a_k_that_is_not_known_is_said_to_count_as_0(ask: Ask) -> None:
     assert interface["material"]["warnings"] == ["k is not known and counts as 0"]
 
 
-def test_a_trace_of_absorption_in_front_is_left_out_and_said(ask: Ask) -> None:
+def test_a_trace_of_absorption_counts_as_0_on_both_sides_and_is_said(ask: Ask) -> None:
     k = default_catalog().constants("BK7").k
     assert k is not None
     assert 0.0 < k < NEGLIGIBLE_K
@@ -105,8 +109,22 @@ def test_a_trace_of_absorption_in_front_is_left_out_and_said(ask: Ask) -> None:
     assert incident["k"] == k
     assert any("left out" in warning for warning in incident["warnings"])
     material = ask("/snell", material="BK7").json()["interface"]
-    assert material["k_t"] == k
-    assert any("n_t = 1.516" in warning for warning in material["material"]["warnings"])
+    assert material["k_t"] == 0.0
+    assert material["kind"] == "dielectric"
+    assert material["brewster_deg"] == pytest.approx(math.degrees(math.atan(material["n_t"])))
+    assert material["material"]["k"] == k
+    (warning,) = material["material"]["warnings"]
+    # Taking the advice keeps the measured k.
+    n_t, k_t = re.findall(r"[nk]_t = (\S+)", warning)
+    kept = ask("/snell", n_t=n_t, k_t=k_t).json()["interface"]
+    assert (kept["n_t"], kept["k_t"], kept["kind"]) == (material["n_t"], k, "conductor")
+
+
+def test_the_page_has_the_same_rule_for_a_trace_of_absorption() -> None:
+    script = (Settings().static_dir / "js" / "constants.js").read_text("utf-8")
+    found = re.search(r"export const NEGLIGIBLE = (\S+);", script)
+    assert found is not None
+    assert float(found[1]) == NEGLIGIBLE_K
 
 
 def test_the_middle_of_a_range_is_said(ask: Ask) -> None:

@@ -19,7 +19,8 @@ LAYERS = {
     "app.snippets": {"app.optics"},
     "app.ready": set(),
     "app.api": {"app.materials", "app.optics", "app.ready", "app.snippets"},
-    "app.page": {"app.ready"},
+    "app.comments": set(),
+    "app.page": {"app.comments", "app.ready"},
     "app.routing": set(),
     "app.settings": set(),
 }

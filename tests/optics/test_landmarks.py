@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from app.optics.amplitudes import amplitudes, power
+from app.optics.amplitudes import amplitudes, phase_deg, power
 from app.optics.angles import brewster_deg, critical_deg, pseudo_brewster_deg
 from app.optics.incidence import Incidence
 from app.optics.interface import MU_BAR, Interface
@@ -205,3 +205,24 @@ def test_air_to_glass_as_textbooks_print_it() -> None:
     assert float(Interface(n_t=1.5).F0) == pytest.approx(0.04, abs=1e-15)
     assert float(brewster_deg(Interface(n_t=1.5))) == pytest.approx(56.3, abs=0.05)
     assert float(critical_deg(Interface(1.5, 1.0))) == pytest.approx(41.8, abs=0.05)
+
+
+@pytest.mark.parametrize(
+    ("n_i", "n_t", "k_t", "s", "p"),
+    [
+        (1.5, 1.0, 0.0, -180.0, -180.0),
+        (1.0, 1.5, 0.0, 180.0, 180.0),
+        (1.0, 0.27, 2.9, -180.0, 180.0),
+        (1.0, 1.0, 0.3, -180.0, -180.0),  # |q| < 1: the p wave's curve ends below, too
+        (1.33, 2.9, 3.0, -180.0, 180.0),
+    ],
+)
+def test_phases_do_not_jump_at_90_degrees(
+    n_i: float, n_t: float, k_t: float, s: float, p: float
+) -> None:
+    angles = Incidence.from_degrees(np.array([90.0 - 1e-6, 90.0]))
+    found = amplitudes(Interface(n_i, n_t, k_t), angles)
+    for r, end in ((found.r_s, s), (found.r_p, p)):
+        before, at = phase_deg(r)
+        assert before == pytest.approx(end, abs=1e-5)
+        assert at == end

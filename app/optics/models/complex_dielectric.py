@@ -22,6 +22,7 @@ MODEL = Model(
     id="complex_dielectric",
     title="Dielectric formula with a complex index (trap)",
     kind="approximation",
+    trap=True,
     applies_to=("conductor",),
     latex=r"R\approx\left|\tfrac12\,\frac{(g-c)^2}{(g+c)^2}"
     r"\left(1+\frac{(c(g+c)-1)^2}{(c(g-c)+1)^2}\right)\right|,\quad g=\sqrt{N^2-1+c^2},\quad "

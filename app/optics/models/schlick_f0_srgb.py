@@ -17,6 +17,7 @@ MODEL = Model(
     id="schlick_f0_srgb",
     title="Schlick with F0 taken as sRGB (trap)",
     kind="approximation",
+    trap=True,
     applies_to=("dielectric", "conductor"),
     latex=r"R\approx F_0'+(1-F_0')(1-\mu)^5,\quad F_0'=1.055\,F_0^{1/2.4}-0.055",
     reference="transfer function of IEC 61966-2-1:1999; P. Shirley (2020) warns of it: be careful "

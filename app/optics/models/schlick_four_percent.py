@@ -24,6 +24,7 @@ MODEL = Model(
     id="schlick_four_percent",
     title="Schlick with F0 of 4 % for everything (trap)",
     kind="approximation",
+    trap=True,
     applies_to=("dielectric", "conductor"),
     latex=r"R\approx 0.04+0.96\,(1-\mu)^5",
     reference="Khronos Group, glTF 2.0 Specification (2021), appendix B: metallic-roughness materials",

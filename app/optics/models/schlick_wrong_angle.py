@@ -24,6 +24,7 @@ MODEL = Model(
     id="schlick_wrong_angle",
     title="Schlick with the wrong angle inside glass (trap)",
     kind="approximation",
+    trap=True,
     applies_to=("dielectric",),
     latex=r"R\approx F_0+(1-F_0)(1-\cos\theta_i)^5\quad\text{although}\ n_i>n_t",
     reference="S. Lagarde, Memo on Fresnel equations (2013), FresnelSchlick against FresnelSchlickTIR",

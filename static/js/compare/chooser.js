@@ -6,8 +6,8 @@ import { modelStyle } from "../palette.js";
 
 /** @typedef {import('../types.js').Model} Model */
 
-/** A trap is a model whose title says so. @param {Model} model */
-export const isTrap = ({ title }) => /\(trap\)/.test(title);
+/** Whether a model is kept to show a mistake. @param {Model} model */
+const isTrap = ({ trap }) => trap === true;
 
 /** @type {{legend: string, open: boolean, holds: (model: Model) => boolean}[]} */
 const GROUPS = [
