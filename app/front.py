@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Hashable, Iterable, Mapping
+from collections.abc import Hashable, Mapping
 from typing import Any
 
 from pydantic import BaseModel
@@ -13,6 +13,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 from app.api.answers import Large
 from app.api.problems import API_HEADERS, PROBLEMS, problem_of
 from app.api.route import QueryRoute
+from app.api.table import RouteTable
 from app.cache import AnswerCache
 from app.pool import Pool
 from app.ready import Headers, ReadyBody, Reply
@@ -28,7 +29,7 @@ class Front:
     ----------
     app
         The application.
-    routes
+    table
         The routes to answer.
     prefix
         What their paths start with.
@@ -44,7 +45,7 @@ class Front:
         self,
         app: ASGIApp,
         *,
-        routes: Iterable[QueryRoute],
+        table: RouteTable,
         prefix: str,
         cache: AnswerCache,
         pool: Pool,
@@ -55,8 +56,7 @@ class Front:
         self._pool = pool
         self._under_way: dict[Hashable, asyncio.Task[ReadyBody]] = {}
         self._prefix = prefix
-        self._plain = {route.path: route for route in routes if "{" not in route.path}
-        self._matched = [route for route in routes if "{" in route.path]
+        self._table = table
         self._kept: Headers = [
             (b"cache-control", b"public, max-age=%d" % max_age_s),
             *API_HEADERS,
@@ -97,15 +97,7 @@ class Front:
         """Find the route of a path, and the parts of the path that are its parameters."""
         if not path.startswith(self._prefix):
             return None, {}
-        path = path.removeprefix(self._prefix)
-        route = self._plain.get(path)
-        if route is not None:
-            return route, {}
-        for route in self._matched:
-            match = route.path_regex.match(path)
-            if match:
-                return route, match.groupdict()
-        return None, {}
+        return self._table.find(path.removeprefix(self._prefix))
 
     async def _fresh(
         self, route: QueryRoute, parts: Mapping[str, str], asked: tuple[str, bytes]

@@ -7,8 +7,10 @@ from starlette.types import ASGIApp
 
 from app import __version__
 from app.api import (
+    PREFIX,
     albedo,
     albedo_grids,
+    claims,
     convert,
     curves,
     error_grids,
@@ -22,7 +24,7 @@ from app.api import (
     shaders,
     snell,
 )
-from app.api.route import QueryRoute
+from app.api.table import RouteTable
 from app.cache import AnswerCache
 from app.drain import Drain
 from app.front import Front
@@ -35,8 +37,6 @@ from app.page import Page, SecurityHeaders
 from app.pool import Pool
 from app.routing import Fallback, HeadAsGet, OpenToOtherPages
 from app.settings import Settings
-
-API_PREFIX = "/api/v1"
 
 _DESCRIPTION = """
 Reflection at smooth surfaces: exact Fresnel curves for dielectrics and conductors, the formulas
@@ -103,20 +103,21 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         shaders.router(registry),
         formulas.router(registry),
     ]
+    routers += [claims.router(RouteTable(routers))]
     problems.install(app)
-    app.add_middleware(OpenToOtherPages, prefixes=(f"{API_PREFIX}/", "/openapi.json"))
+    app.add_middleware(OpenToOtherPages, prefixes=(f"{PREFIX}/", "/openapi.json"))
     app.add_middleware(SecurityHeaders)
     app.add_middleware(HeadAsGet)
     app.add_middleware(
         Front,
-        routes=[r for router in routers for r in router.routes if isinstance(r, QueryRoute)],
-        prefix=API_PREFIX,
+        table=RouteTable(routers),
+        prefix=PREFIX,
         cache=AnswerCache(settings.cache_bytes),
         pool=Pool(settings.threads, settings.timeout_s),
         max_age_s=settings.max_age_s,
     )
     for router in routers:
-        app.include_router(router, prefix=API_PREFIX)
+        app.include_router(router, prefix=PREFIX)
     app.include_router(metrics_router())
     app.router.routes.append(Fallback("/", Page(settings.static_dir), name="page"))
     return app

@@ -18,7 +18,8 @@ LAYERS = {
     "app.materials": {"app.optics"},
     "app.snippets": {"app.optics"},
     "app.ready": set(),
-    "app.api": {"app.materials", "app.optics", "app.ready", "app.snippets"},
+    "app.claims": {"app.optics"},
+    "app.api": {"app.claims", "app.materials", "app.optics", "app.ready", "app.snippets"},
     "app.comments": set(),
     "app.page": {"app.comments", "app.ready"},
     "app.routing": set(),
@@ -28,6 +29,7 @@ OUTSIDE = {
     "app.optics": {"numpy", "scipy"},
     "app.snippets": set(),
     "app.materials": {"numpy", "scipy", "pydantic", "yaml", "orjson"},
+    "app.claims": set(),
 }
 WEB = {"fastapi", "starlette", "uvicorn", "pydantic", "pydantic_core", "orjson", "typer"}
 

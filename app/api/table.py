@@ -1,0 +1,58 @@
+"""The API's routes by their paths: for the front, and to be asked within the process."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import partial
+from typing import Any
+
+import orjson
+from fastapi import APIRouter
+
+from app.api.route import QueryRoute
+from app.ready import ReadyBody
+
+
+class RouteTable:
+    """Routes that are found by path; claims, figures and the command line ask them, without HTTP.
+
+    Parameters
+    ----------
+    routers
+        Whose routes to hold; their paths come without the API's prefix.
+    """
+
+    def __init__(self, routers: Iterable[APIRouter]) -> None:
+        routes = [r for router in routers for r in router.routes if isinstance(r, QueryRoute)]
+        self._plain = {route.path: route for route in routes if "{" not in route.path}
+        self._matched = [route for route in routes if "{" in route.path]
+
+    def find(self, path: str) -> tuple[QueryRoute | None, Mapping[str, str]]:
+        """Find the route of a path, and the parts of the path that are its parameters."""
+        route = self._plain.get(path)
+        if route is not None:
+            return route, {}
+        for route in self._matched:
+            match = route.path_regex.match(path)
+            if match:
+                return route, match.groupdict()
+        return None, {}
+
+    def ask(self, target: str) -> ReadyBody:
+        """Answer a path with its query, percent-encoded, as the route does; errors are raised.
+
+        Raises
+        ------
+        LookupError
+            If no route has the path.
+        """
+        path, _, query = target.partition("?")
+        route, parts = self.find(path)
+        if route is None:
+            raise LookupError(path)
+        answer = route.answer(parts, route.read(query.encode()))
+        return answer() if isinstance(answer, partial) else answer
+
+    def json(self, target: str) -> Any:
+        """Answer as `ask` does, read as JSON."""
+        return orjson.loads(self.ask(target).encoded(None))

@@ -1,0 +1,6 @@
+"""Claims of the literature and of popular code, each with the requests that measure it."""
+
+from app.claims.claim import Claim, Figure, Part, Source, UnknownClaim, Verdict
+from app.claims.registry import CLAIMS, find_claim
+
+__all__ = ["CLAIMS", "Claim", "Figure", "Part", "Source", "UnknownClaim", "Verdict", "find_claim"]

@@ -1,0 +1,185 @@
+"""Which number of an answer a figure is: the rule in words that a reader can follow, and as code."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """How a number is taken out of an answer.
+
+    Attributes
+    ----------
+    words
+        The rule, as a path into the JSON with functions around it.
+    read
+        The rule as a function of the answer.
+    """
+
+    words: str
+    read: Callable[[Any], float]
+
+
+def value(path: str) -> Reading:
+    """One number: `interface.F0`, or of a list `errors[model=schlick].max_abs`."""
+    return Reading(path, lambda answer: float(follow(answer, path)))
+
+
+def largest(path: str) -> Reading:
+    """The largest of a list of numbers."""
+    return Reading(f"max({path})", lambda answer: max(_numbers(follow(answer, path))))
+
+
+def smallest(path: str) -> Reading:
+    """The smallest of a list of numbers."""
+    return Reading(f"min({path})", lambda answer: min(_numbers(follow(answer, path))))
+
+
+def largest_modulus(path: str) -> Reading:
+    """The largest modulus in a list or a grid of numbers."""
+    return Reading(f"max |{path}|", lambda answer: max(map(abs, _numbers(follow(answer, path)))))
+
+
+def spread(path: str) -> Reading:
+    """The largest less the smallest of a list of numbers."""
+
+    def read(answer: Any) -> float:
+        numbers = list(_numbers(follow(answer, path)))
+        return max(numbers) - min(numbers)
+
+    return Reading(f"max({path}) - min({path})", read)
+
+
+def apart(first: str, second: str) -> Reading:
+    """How far two lists of numbers are apart at most."""
+    return Reading(
+        f"max |{first} - {second}|",
+        lambda answer: max(
+            abs(a - b)
+            for a, b in zip(
+                _numbers(follow(answer, first)), _numbers(follow(answer, second)), strict=True
+            )
+        ),
+    )
+
+
+def quotient(first: str, second: str) -> Reading:
+    """One number divided by another."""
+    return Reading(
+        f"{first} / {second}",
+        lambda answer: float(follow(answer, first)) / float(follow(answer, second)),
+    )
+
+
+def difference(first: str, second: str) -> Reading:
+    """How far two numbers are apart."""
+    return Reading(
+        f"|{first} - {second}|",
+        lambda answer: abs(float(follow(answer, first)) - float(follow(answer, second))),
+    )
+
+
+def offset(path: str, expected: float) -> Reading:
+    """How far a number is from the one that was printed."""
+    return Reading(
+        f"|{path} - {expected}|", lambda answer: abs(float(follow(answer, path)) - expected)
+    )
+
+
+def largest_ratio(first: str, second: str) -> Reading:
+    """The largest modulus of the quotients of two lists."""
+    return Reading(
+        f"max |{first} / {second}|",
+        lambda answer: max(
+            abs(a / b)
+            for a, b in zip(
+                _numbers(follow(answer, first)), _numbers(follow(answer, second)), strict=True
+            )
+        ),
+    )
+
+
+def unity(*paths: str) -> Reading:
+    """How far the sums of lists are from 1."""
+    return Reading(
+        f"max |{' + '.join(paths)} - 1|",
+        lambda answer: max(
+            abs(sum(numbers) - 1.0)
+            for numbers in zip(*(_numbers(follow(answer, path)) for path in paths), strict=True)
+        ),
+    )
+
+
+def cosine(path: str) -> Reading:
+    """The cosine of an angle in degrees."""
+    return Reading(
+        f"cos({path})", lambda answer: math.cos(math.radians(float(follow(answer, path))))
+    )
+
+
+def share_of_cosines(path: str, low: float, high: float) -> Reading:
+    """Which part of a grid of angles, in degrees, has its cosine between two numbers."""
+
+    def read(answer: Any) -> float:
+        cosines = [math.cos(math.radians(angle)) for angle in _numbers(follow(answer, path))]
+        return sum(low <= mu <= high for mu in cosines) / len(cosines)
+
+    return Reading(f"share of cos({path}) from {low:g} to {high:g}", read)
+
+
+def share_at_most(path: str, limit: float) -> Reading:
+    """Which part of a list of numbers does not exceed a limit."""
+
+    def read(answer: Any) -> float:
+        numbers = list(_numbers(follow(answer, path)))
+        return sum(number <= limit for number in numbers) / len(numbers)
+
+    return Reading(f"share of {path} up to {limit:g}", read)
+
+
+def follow(answer: Any, path: str) -> Any:
+    """Walk a path: keys between dots, `[key=value,...]` picks of a list, `[*]` takes all of it.
+
+    Raises
+    ------
+    LookupError
+        If the path leads nowhere.
+    """
+    for step in _steps(path):
+        if step == "[*]":
+            rest = path.partition("[*].")[2]
+            return [follow(entry, rest) for entry in answer] if rest else list(answer)
+        if step.startswith("["):
+            wanted = dict(pair.split("=") for pair in step[1:-1].split(","))
+            answer = next(e for e in answer if all(str(e[k]) == v for k, v in wanted.items()))
+        else:
+            answer = answer[int(step) if isinstance(answer, list) else step]
+    return answer
+
+
+def _steps(path: str) -> Iterator[str]:
+    """Part a path at its dots and before its brackets; dots inside brackets belong to a name."""
+    step, inside = "", False
+    for letter in path:
+        inside = letter == "[" or (inside and letter != "]")
+        if letter in ".[" and not (inside and letter == "."):
+            if step:
+                yield step
+            step = "[" if letter == "[" else ""
+        else:
+            step += letter
+    if step:
+        yield step
+
+
+def _numbers(nested: Iterable[Any]) -> Iterator[float]:
+    """Flatten lists of lists; nulls are left out."""
+    for entry in nested:
+        if isinstance(entry, list):
+            yield from _numbers(entry)
+        elif entry is not None:
+            yield float(entry)

@@ -1,0 +1,1 @@
+"""Claims by topic: every module here has a tuple `CLAIMS`."""
