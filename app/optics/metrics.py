@@ -92,7 +92,7 @@ class Quality:
     reference: Callable[[Interface, Incidence], Array]
 
 
-PRECISE = Quality(double_exponential(), crowded_gauss_legendre(8), None, 15, 5, reflectance)
+PRECISE = Quality(double_exponential(), crowded_gauss_legendre(20), None, 15, 5, reflectance)
 """Integrals to 1e-12, the largest error to 1e-13, its angle to 1e-5 degrees."""
 
 FAST = Quality(

@@ -6,10 +6,12 @@ import mpmath as mp
 import numpy as np
 import pytest
 
+from app.optics.amplitudes import power
 from app.optics.errors import NotAllowed, OutOfRange
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.metrics import measure
+from app.optics.parameters import Array
 from app.optics.registry import default_registry
 
 ANGLES_DEG = np.linspace(0.0, 90.0, 19)
@@ -83,3 +85,19 @@ def test_linear_error_falls_with_the_square_of_the_size() -> None:
         float(measure(model, water, model.arguments(water, size=n))["rms"]) for n in (65, 129)
     ]
     assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.05)
+
+
+@pytest.mark.parametrize("media", [(1.0, 1.333, 0.0), (1.333, 1.0, 0.0), (1.0, 2.9, 3.0)])
+@pytest.mark.parametrize("size", [16, 256])
+def test_mean_square_error_between_texels(media: tuple[float, float, float], size: int) -> None:
+    """Against the plain mean over two million cosines, of the table read by NumPy."""
+    model, interface = default_registry()["lut_1d"], Interface(*media)
+    mu = (np.arange(2_000_000) + 0.5) / 2e6
+    nodes = np.linspace(0.0, 1.0, size)
+
+    def exact(cosine: Array) -> Array:
+        return power(interface, Incidence(cosine, np.sqrt((1.0 - cosine) * (1.0 + cosine)))).R
+
+    error = np.interp(mu, nodes, exact(nodes)) - exact(mu)
+    measured = measure(model, interface, model.arguments(interface, size=size))["rms"]
+    assert float(measured) == pytest.approx(np.sqrt(np.mean(error**2)), rel=1e-4)

@@ -99,7 +99,7 @@ MODEL = Model(
     kinks=_kinks,
     snippet="it is read from a table, which /lut makes",
     measured=(
-        Measured(1, 1.333, 0, max_abs=8.11e-05, at_deg=89.9, rms=1.59e-05),
-        Measured(1, 2.9, 3, max_abs=0.000134, at_deg=89.9, rms=2.15e-05),
+        Measured(1, 1.333, 0, max_abs=8.11e-05, at_deg=89.9, rms=1.6e-05),
+        Measured(1, 2.9, 3, max_abs=0.000134, at_deg=89.9, rms=2.16e-05),
     ),
 )
