@@ -8,7 +8,7 @@ computed from them is computed here.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from itertools import pairwise
 from typing import Any
 from urllib.parse import parse_qsl, urlsplit
@@ -83,7 +83,7 @@ def misunderstood(n_i: float, N: complex, theta: Array) -> Array:
     c = np.cos(theta)
     g = np.sqrt((N / n_i) ** 2 - 1.0 + c * c)
     r = 0.5 * ((g - c) / (g + c)) ** 2 * (1.0 + ((c * (g + c) - 1.0) / (c * (g - c) + 1.0)) ** 2)
-    return np.abs(r)
+    return np.asarray(np.abs(r))
 
 
 def tabulated(n_i: float, N: complex, theta: Array, given: dict[str, float]) -> Array:
@@ -104,7 +104,7 @@ def solved_alpha(n_i: float, N: complex) -> float:
 def tinted(n_i: float, N: complex, theta: Array) -> Array:
     c, mu, F0 = np.cos(theta), 1.0 / 7.0, normal(n_i, N)
     missing = power_of_five(F0, np.array(mu)) - exact(n_i, N, np.arccos([mu]))[0]
-    return power_of_five(F0, c) - c * (1.0 - c) ** 6 / (mu * (1.0 - mu) ** 6) * missing
+    return np.asarray(power_of_five(F0, c) - c * (1.0 - c) ** 6 / (mu * (1.0 - mu) ** 6) * missing)
 
 
 def curve(model: str, n_i: float, N: complex, theta: Array, given: dict[str, float]) -> Array:
@@ -328,6 +328,10 @@ def spectrum(material: str, query: Query) -> Any:
     return {"F0": (np.abs((N - 1) / (N + 1)) ** 2).tolist()}
 
 
+def modelled(model: str, medium: Medium, theta: Array) -> Array:
+    return curve(model, *medium, theta, {})
+
+
 def albedo(query: Query) -> Any:
     medium = query.medium()
     n, k = np.array(medium[1].real), np.array(medium[1].imag)
@@ -339,18 +343,13 @@ def albedo(query: Query) -> Any:
     models = [m for m in query.get("models", "").split(",") if m]
     return {
         "approximations": [{"id": name, "value": v, "error": v - truth} for name, v in fit.items()],
-        "models": [
-            {"model": m, "value": mean(lambda theta, m=m: curve(m, *medium, theta, {}))}
-            for m in models
-        ],
+        "models": [{"model": m, "value": mean(partial(modelled, m, medium))} for m in models],
     }
 
 
 def albedo_sweep(query: Query) -> Any:
     eta = query.axis("")
-    truth = np.array(
-        [mean(lambda theta, n=n: exact(1.0, complex(n), theta), n) for n in eta.tolist()]
-    )
+    truth = np.array([mean(partial(exact, 1.0, complex(n)), n) for n in eta.tolist()])
     fit = query["fits"]
     return {
         "curves": [

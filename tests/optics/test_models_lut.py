@@ -93,7 +93,7 @@ def test_mean_square_error_between_texels(media: tuple[float, float, float], siz
     """Against the plain mean over two million cosines, of the table read by NumPy."""
     model, interface = default_registry()["lut_1d"], Interface(*media)
     mu = (np.arange(2_000_000) + 0.5) / 2e6
-    nodes = np.linspace(0.0, 1.0, size)
+    nodes: Array = np.linspace(0.0, 1.0, size, dtype=np.float64)
 
     def exact(cosine: Array) -> Array:
         return power(interface, Incidence(cosine, np.sqrt((1.0 - cosine) * (1.0 + cosine)))).R
