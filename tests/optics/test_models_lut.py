@@ -92,7 +92,7 @@ def test_linear_error_falls_with_the_square_of_the_size() -> None:
 def test_mean_square_error_between_texels(media: tuple[float, float, float], size: int) -> None:
     """Against the plain mean over two million cosines, of the table read by NumPy."""
     model, interface = default_registry()["lut_1d"], Interface(*media)
-    mu = (np.arange(2_000_000) + 0.5) / 2e6
+    mu: Array = (np.arange(2_000_000, dtype=np.float64) + 0.5) / 2e6
     nodes: Array = np.linspace(0.0, 1.0, size, dtype=np.float64)
 
     def exact(cosine: Array) -> Array:
