@@ -12,6 +12,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from itertools import count
 from pathlib import Path
 from urllib.parse import urlsplit
 
@@ -38,7 +39,7 @@ class Served:
     def __init__(self, process: subprocess.Popen[bytes], url: str, output: Path) -> None:
         self.process = process
         self.host, self.port = urlsplit(url).hostname, urlsplit(url).port
-        self._output = output
+        self.output = output
 
     def connect(self) -> http.client.HTTPConnection:
         assert self.host is not None
@@ -57,7 +58,7 @@ class Served:
 
     def logged(self) -> list[dict[str, object]]:
         """Read the access log: every line of standard output is a JSON object."""
-        return [json.loads(line) for line in self._output.read_text("utf-8").splitlines()]
+        return [json.loads(line) for line in self.output.read_text("utf-8").splitlines()]
 
 
 @contextmanager
@@ -105,6 +106,14 @@ def wait_for(condition: Callable[[], bool], seconds: float = PATIENCE_S) -> None
         time.sleep(0.02)
 
 
+@dataclass(frozen=True)
+class Failure:
+    """A request that got no answer, and when it began."""
+
+    began: float
+    reason: str
+
+
 @dataclass
 class Load:
     """Clients that ask again and again over connections they keep, until they are told to stop."""
@@ -113,10 +122,11 @@ class Load:
     targets: list[str]
     clients: int = 8
     statuses: list[int] = field(default_factory=list)
-    failures: list[str] = field(default_factory=list)
+    failures: list[Failure] = field(default_factory=list)
     done: threading.Event = field(default_factory=threading.Event)
 
     def __enter__(self) -> Load:
+        self._turns = count()  # every target once before any comes again
         self._threads = [threading.Thread(target=self._run) for _ in range(self.clients)]
         for thread in self._threads:
             thread.start()
@@ -127,17 +137,21 @@ class Load:
         for thread in self._threads:
             thread.join()
 
+    def wait_for(self, answered: int) -> None:
+        """Return once so many requests were answered."""
+        wait_for(lambda: len(self.statuses) >= answered)
+
     def _run(self) -> None:
         connection = self.served.connect()
-        turn = 0
         while not self.done.is_set():
-            turn += 1
+            turn = next(self._turns)
+            began = time.monotonic()
             try:
                 connection.request("GET", self.targets[turn % len(self.targets)])
                 answer = connection.getresponse()
                 answer.read()
                 self.statuses.append(answer.status)
             except (OSError, http.client.HTTPException) as error:
-                self.failures.append(repr(error))
+                self.failures.append(Failure(began, repr(error)))
                 connection.close()
         connection.close()
