@@ -15,6 +15,7 @@ from app.api import (
     curves,
     error_grids,
     errors,
+    evaluate,
     formulas,
     health,
     materials,
@@ -88,6 +89,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     app.state.settings = settings
     app.state.metrics = Metrics()
     app.state.drain = drain = Drain(settings.drain_s)
+    pool = Pool(settings.threads, settings.timeout_s)
     routers: list[APIRouter] = [
         curves.router(registry),
         snell.router(),
@@ -102,6 +104,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         materials.router(registry),
         shaders.router(registry),
         formulas.router(registry),
+        evaluate.router(registry, pool, settings.body_bytes),
     ]
     routers += [claims.router(RouteTable(routers))]
     problems.install(app)
@@ -113,7 +116,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         table=RouteTable(routers),
         prefix=PREFIX,
         cache=AnswerCache(settings.cache_bytes),
-        pool=Pool(settings.threads, settings.timeout_s),
+        pool=pool,
         max_age_s=settings.max_age_s,
     )
     for router in routers:

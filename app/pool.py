@@ -39,8 +39,15 @@ class Pool:
         self._timeout_s = timeout_s
         self._under_way: set[Future[Any]] = set()
 
-    async def run(self, function: Callable[[], T]) -> T:
+    async def run(self, function: Callable[[], T], *, let_in: bool = False) -> T:
         """Call a function in a thread and wait for what it returns.
+
+        Parameters
+        ----------
+        function
+            The computation, or a part of one.
+        let_in
+            Whether it goes on with what was begun, and waits in however long a queue.
 
         Raises
         ------
@@ -48,7 +55,7 @@ class Pool:
             If the queue is full or the time is over. A computation that has begun is not
             interrupted: its thread is free again when it ends.
         """
-        if len(self._under_way) >= self._most:
+        if len(self._under_way) >= self._most and not let_in:
             raise Overloaded(
                 f"{self._most} large computations are under way, and no more are taken"
             )

@@ -42,7 +42,7 @@ class HeadAsGet:
 
 
 class OpenToOtherPages:
-    """ASGI middleware that opens addresses to GET from any page, and leaves all others alone.
+    """ASGI middleware that opens addresses to any page, and leaves all others alone.
 
     The page's own files need no such headers, and it consists of dozens of them.
     """
@@ -53,8 +53,8 @@ class OpenToOtherPages:
         self.opened = CORSMiddleware(
             app,
             allow_origins=["*"],
-            allow_methods=["GET", "HEAD"],
-            allow_headers=["If-None-Match", "X-Request-ID"],
+            allow_methods=["GET", "HEAD", "POST"],
+            allow_headers=["Content-Type", "If-None-Match", "X-Request-ID"],
             expose_headers=["ETag", "X-Request-ID"],
         )
 

@@ -38,6 +38,9 @@ class Settings(BaseSettings):
     cache_bytes: int = Field(
         64_000_000, ge=0, description="Memory for finished answers of the API, in bytes."
     )
+    body_bytes: int = Field(
+        128_000_000, ge=1, description="Size of the largest body that `/evaluate` takes, in bytes."
+    )
     threads: int = Field(2, ge=1, description="How many large answers are computed at a time.")
     timeout_s: float = Field(
         30.0, gt=0.0, description="How long a large answer may take, in seconds."

@@ -82,14 +82,19 @@ class Parameter:
             array = np.asarray(given, dtype=np.float64)
         except (TypeError, ValueError):
             raise OutOfRange(self.name, repr(value), self.allowed) from None
+        inside = self.admits(array)
+        if not inside.all():
+            raise OutOfRange(self.name, array[~inside].flat[0], self.allowed)
+        return array
+
+    def admits(self, array: Array) -> NDArray[np.bool_]:
+        """Which elements are within the bounds, whole and among the choices as declared."""
         inside = (array >= self.minimum) & (array <= self.maximum)  # NaN compares false
         if self.integer:
             inside &= array == np.rint(array)
         if self.choices:
             inside &= np.isin(array, [number for _, number in self.choices])
-        if not inside.all():
-            raise OutOfRange(self.name, array[~inside].flat[0], self.allowed)
-        return array
+        return np.asarray(inside)
 
 
 N_I = Parameter(

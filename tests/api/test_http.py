@@ -163,11 +163,11 @@ class TestOtherOrigins:
         answer = ask(app, b"/openapi.json", Origin="https://example.org")
         assert answer.headers["access-control-allow-origin"] == "*"
 
-    def test_preflight_of_get_passes_and_of_others_does_not(self, app: FastAPI) -> None:
+    def test_preflight_of_get_and_post_passes_and_of_others_does_not(self, app: FastAPI) -> None:
         origin = "https://example.org"
         allowed = ask(app, SNELL, "OPTIONS", Origin=origin, Access_Control_Request_Method="GET")
         assert allowed.status == 200
-        assert allowed.headers["access-control-allow-methods"] == "GET, HEAD"
+        assert allowed.headers["access-control-allow-methods"] == "GET, HEAD, POST"
         refused = ask(app, SNELL, "OPTIONS", Origin=origin, Access_Control_Request_Method="DELETE")
         assert refused.status == 400
 

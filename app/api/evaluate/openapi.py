@@ -1,0 +1,135 @@
+"""What OpenAPI says of `/evaluate`, whose body and answers FastAPI does not see."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from app.api.evaluate.arrow import MEDIA_TYPE
+from app.batch.rows import MEDIA
+from app.optics.parameters import THETA_I_DEG, Parameter
+from app.optics.quantities import QUANTITIES
+from app.optics.registry import Registry
+
+_DESCRIPTION = """
+Up to 1,000,000 values of any models, media and quantities in one call, answered in the order asked.
+An item that is wrong does not keep the others from their answers: its error stands in its place.
+
+A body of `application/json` holds items; `application/vnd.apache.arrow.stream` columns of the same
+names, one row a value, null for what is left out. The answer is JSON, CSV or an Arrow stream by
+`Accept`, and of the body's kind where that leaves the choice. JSON holds a number for each item, a
+list where its angle was one, and null where a model is undefined; CSV and Arrow hold a row a value.
+Arrow is there where the server has the extra `[arrow]`; 415 or 406 tell where not.
+"""
+
+_EXAMPLE = {
+    "items": [
+        {"n_t": 1.5, "theta_i_deg": [0, 56.31, 80]},
+        {"n_t": 0.27, "k_t": 2.9, "theta_i_deg": 45, "quantity": "Rp"},
+        {"n_t": 1.5, "theta_i_deg": 60, "model": "schlick", "schlick.F0": 0.05},
+    ]
+}
+
+
+def operation(registry: Registry) -> dict[str, Any]:
+    """Arguments of the route's declaration."""
+    arrow = {"schema": {"type": "string", "format": "binary"}}
+    body = {"schema": _body(registry), "example": _EXAMPLE}
+    answers = {
+        "application/json": {"schema": _ANSWER},
+        "text/csv": {"schema": {"type": "string"}},
+        MEDIA_TYPE: arrow,
+    }
+    return {
+        "description": _DESCRIPTION.strip(),
+        "response_model": None,
+        "responses": {200: {"description": "The values.", "content": answers}},
+        "openapi_extra": {
+            "requestBody": {
+                "required": True,
+                "content": {"application/json": body, MEDIA_TYPE: arrow},
+            }
+        },
+    }
+
+
+def _number(parameter: Parameter) -> dict[str, Any]:
+    schema: dict[str, Any] = {
+        "type": "number",
+        "minimum": parameter.minimum,
+        "maximum": parameter.maximum,
+    }
+    if parameter.choices:
+        schema = {"enum": [name for name, _ in parameter.choices]}
+    return schema
+
+
+def _described(parameter: Parameter, schema: dict[str, Any]) -> dict[str, Any]:
+    named = {number: name for name, number in parameter.choices}
+    default = named.get(parameter.default or 0.0, parameter.default)
+    described = schema | {"description": parameter.description}
+    return described if default is None else described | {"default": default}
+
+
+def _body(registry: Registry) -> dict[str, Any]:
+    properties: dict[str, Any] = {
+        "model": {"type": "string", "enum": list(registry), "default": "exact"},
+        "quantity": {"type": "string", "enum": list(QUANTITIES), "default": "R"},
+    }
+    for parameter in MEDIA:
+        schema = _number(parameter)
+        if parameter is THETA_I_DEG:
+            schema = {"anyOf": [schema, {"type": "array", "items": schema}]}
+        properties[parameter.name] = _described(parameter, schema)
+    for model in registry.values():
+        for parameter in model.parameters:
+            name = f"{model.id}.{parameter.name}"
+            properties[name] = _described(parameter, _number(parameter))
+    item = {"type": "object", "properties": properties, "additionalProperties": False}
+    return {
+        "type": "object",
+        "properties": {"items": {"type": "array", "items": item}},
+        "required": ["items"],
+        "additionalProperties": False,
+    }
+
+
+_NUMBER_OR_NULL = {"anyOf": [{"type": "number"}, {"type": "null"}]}
+
+_FAULT = {
+    "type": "object",
+    "properties": {
+        "index": {"type": "integer", "description": "Number of the item, from 0."},
+        "errors": {
+            "type": "array",
+            "items": {
+                "type": "object",
+                "properties": {
+                    "parameter": {"type": "string"},
+                    "value": {},
+                    "message": {"type": "string"},
+                },
+                "required": ["parameter", "value", "message"],
+            },
+        },
+    },
+    "required": ["index", "errors"],
+}
+
+_ANSWER = {
+    "type": "object",
+    "properties": {
+        "convention": {"type": "string"},
+        "results": {
+            "type": "array",
+            "items": {
+                "anyOf": [
+                    *_NUMBER_OR_NULL["anyOf"],
+                    {"type": "array", "items": _NUMBER_OR_NULL},
+                    _FAULT,
+                ]
+            },
+        },
+        "failed": {"type": "integer", "description": "How many items were wrong."},
+    },
+    "required": ["convention", "results", "failed"],
+}

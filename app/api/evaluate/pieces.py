@@ -1,0 +1,50 @@
+"""What both kinds of body are made into: pieces of rows, with the item that each row is of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.batch.rows import Index, Rows
+
+MOST_VALUES = 1_000_000
+"""Values that one call may ask for."""
+
+
+class TooManyValues(Exception):
+    """A body that asks for more than `MOST_VALUES`."""
+
+
+class Piece(NamedTuple):
+    """Some of the items, in order.
+
+    Attributes
+    ----------
+    first
+        Number of the first item, from 0.
+    rows
+        One row a value.
+    counts
+        Values of each item.
+    listed
+        Whether its angle came as a list.
+    """
+
+    first: int
+    rows: Rows
+    counts: Index
+    listed: NDArray[np.bool_]
+
+
+class Questions(Protocol):
+    """A body that has been read."""
+
+    @property
+    def values(self) -> int:
+        """How many values it asks for."""
+
+    def pieces(self, size: int) -> Iterator[Piece]:
+        """Part it into pieces of about `size` values."""

@@ -1,0 +1,379 @@
+"""`POST /evaluate`: the same numbers as elsewhere, in order, whatever else is asked beside them."""
+
+from __future__ import annotations
+
+import asyncio
+import csv
+import io
+import json
+from collections.abc import Callable
+from typing import Any
+
+import httpx
+import numpy as np
+import pyarrow as pa
+import pytest
+from fastapi import FastAPI
+
+from app.main import create_app
+from app.optics.registry import default_registry
+from app.settings import Settings
+from tests.optics.reference.fresnel import fresnel
+
+ARROW = "application/vnd.apache.arrow.stream"
+REGISTRY = default_registry()
+
+Post = Callable[..., httpx.Response]
+
+
+def poster(app: FastAPI) -> Post:
+    def post(content: Any, kind: str = "application/json", **headers: str) -> httpx.Response:
+        body = content if isinstance(content, bytes) else json.dumps({"items": content}).encode()
+
+        async def request() -> httpx.Response:
+            transport = httpx.ASGITransport(app=app, raise_app_exceptions=False)
+            async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
+                return await client.post(
+                    "/api/v1/evaluate",
+                    content=body,
+                    headers={"Content-Type": kind}
+                    | {name.replace("_", "-"): value for name, value in headers.items()},
+                )
+
+        return asyncio.run(request())
+
+    return post
+
+
+@pytest.fixture
+def post(app: FastAPI) -> Post:
+    return poster(app)
+
+
+def results(response: httpx.Response) -> list[Any]:
+    assert response.status_code == 200, response.text
+    answer = response.json()
+    assert set(answer) == {"convention", "results", "failed"}
+    assert answer["failed"] == sum(isinstance(r, dict) for r in answer["results"])
+    found: list[Any] = answer["results"]
+    return found
+
+
+def as_arrow(columns: dict[str, Any]) -> bytes:
+    sink = io.BytesIO()
+    table = pa.table(columns)
+    with pa.ipc.new_stream(sink, table.schema) as stream:
+        stream.write_table(table)
+    return sink.getvalue()
+
+
+def from_arrow(response: httpx.Response) -> pa.Table:
+    assert response.status_code == 200, response.text
+    assert response.headers["content-type"] == ARROW
+    return pa.ipc.open_stream(response.content).read_all()
+
+
+def test_numbers_and_lists_come_back_as_they_went(post: Post) -> None:
+    found = results(
+        post([{"n_t": 1.5, "theta_i_deg": 0}, {"theta_i_deg": [0, 90]}, {"theta_i_deg": []}, {}])
+    )
+    assert found == [pytest.approx(0.04), [pytest.approx(0.04), 1.0], [], pytest.approx(0.04)]
+    assert results(post([])) == []
+
+
+def test_exact_values_beside_thirty_digits(post: Post) -> None:
+    rng = np.random.default_rng(7)
+    rays = [
+        (float(n_i), float(n_t), float(k_t), float(theta))
+        for n_i, n_t, k_t, theta in rng.uniform(
+            (0.5, 0.1, 0.0, 0.0), (3.0, 5.0, 8.0, 90.0), (60, 4)
+        )
+    ]
+    quantities = {"R": "R", "Rs": "Rs", "Rp": "Rp", "T": "T", "Ts": "Ts", "Tp": "Tp"}
+    quantities |= {"penetration_depth_wavelengths": "depth", "theta_t_deg": "theta_t_deg"}
+    items = [
+        dict(zip(("n_i", "n_t", "k_t", "theta_i_deg"), ray, strict=True)) | {"quantity": quantity}
+        for ray in rays
+        for quantity in quantities
+    ]
+    expected = [float(getattr(fresnel(*ray), name)) for ray in rays for name in quantities.values()]
+    np.testing.assert_allclose(results(post(items)), expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize("model", REGISTRY)
+def test_every_model_gives_what_curves_gives(
+    post: Post, ask: Callable[..., httpx.Response], model: str
+) -> None:
+    medium = (
+        {"n_t": 1.5} if "dielectric" in REGISTRY[model].applies_to else {"n_t": 0.27, "k_t": 2.9}
+    )
+    curve = next(
+        c["values"]
+        for c in ask("/curves", models=model, samples=19, **medium).json()["curves"]
+        if c["quantity"] == "R"
+    )
+    angles = np.linspace(0.0, 90.0, 19).tolist()
+    (together,) = results(post([medium | {"model": model, "theta_i_deg": angles}]))
+    apart = results(post([medium | {"model": model, "theta_i_deg": angle} for angle in angles]))
+    for found in (together, apart):
+        np.testing.assert_allclose(
+            np.array(found, float), np.array(curve, float), rtol=1e-12, atol=1e-15
+        )
+
+
+def test_groups_keep_the_order(post: Post) -> None:
+    rng = np.random.default_rng(1)
+    models = ["exact", "schlick", "lagarde_gc", "one_minus_cos", "lut_1d"]
+    items = [
+        {
+            "model": models[rng.integers(5)],
+            "n_t": float(rng.uniform(1.1, 3.0)),
+            "theta_i_deg": float(rng.uniform(0.0, 90.0)),
+        }
+        for _ in range(500)
+    ]
+    together = results(post(items))
+    apart = [results(post([item]))[0] for item in items[:40]]
+    np.testing.assert_allclose(together[:40], apart, rtol=1e-13)
+
+
+def test_a_models_own_parameters(post: Post) -> None:
+    found = results(
+        post(
+            [
+                {"model": "schlick", "schlick.F0": 0.5, "theta_i_deg": 0},
+                {"model": "schlick", "theta_i_deg": 0},
+                {"model": "lut_1d", "lut_1d.size": 2, "lut_1d.filtering": "nearest"},
+                {"model": "lut_1d", "lut_1d.size": 3, "lut_1d.bits": "8", "theta_i_deg": 85},
+            ]
+        )
+    )
+    assert found[0] == 0.5
+    assert found[1] == pytest.approx(0.04)
+    assert found[2] == pytest.approx(0.04)
+    assert 0.04 < found[3] < 1.0
+
+
+WRONG = [
+    ({"n_t": -1}, "n_t", -1.0, "0.001 to 100"),
+    ({"n_t": "glass"}, "n_t", "glass", "float"),
+    ({"n_t": None}, "n_t", None, "float"),
+    ({"theta_i_deg": [1, 91, 2]}, "theta_i_deg", 91.0, "0 to 90 deg"),
+    ({"theta_i_deg": [1, "x"]}, "theta_i_deg", None, "float"),
+    ({"theta": 3}, "theta", 3, "theta_i_deg"),
+    ({"model": "schlik"}, "model", "schlik", "schlick"),
+    ({"quantity": "Q"}, "quantity", "Q", "Rs"),
+    ({"model": "schlick", "quantity": "Rs"}, "quantity", "Rs", "R alone"),
+    ({"schlick.F0": 0.1}, "schlick.F0", 0.1, "exact"),
+    ({"model": "schlick", "schlick.F0": 2}, "schlick.F0", 2.0, "0 to 1"),
+    ({"model": "lut_1d", "lut_1d.bits": "7"}, "lut_1d.bits", "7", "7"),
+    ({"model": "lut_1d", "lut_1d.size": 2.5}, "lut_1d.size", 2.5, "whole"),
+    (5, "items", 5, "object"),
+]
+
+
+@pytest.mark.parametrize(("item", "parameter", "value", "hint"), WRONG)
+def test_what_is_wrong_stands_in_its_place(
+    post: Post, item: Any, parameter: str, value: object, hint: str
+) -> None:
+    good = {"n_t": 1.5}
+    answered = results(post([good, item, {"theta_i_deg": [0, 0]}]))
+    assert answered[0] == pytest.approx(0.04)
+    assert answered[2] == pytest.approx([0.04, 0.04])
+    assert answered[1]["index"] == 1
+    (error,) = answered[1]["errors"]
+    assert (error["parameter"], error["value"]) == (parameter, value)
+    assert hint in error["message"]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        b"",
+        b"{",
+        b"[]",
+        b"{}",
+        b'{"items": 5}',
+        b'{"items": [], "n": 1}',
+        b"\xff\xfe",
+        b"[" * 100_000,
+    ],
+)
+def test_a_body_that_is_none(post: Post, body: bytes) -> None:
+    response = post(body)
+    assert response.status_code == 422
+    assert response.headers["content-type"] == "application/problem+json"
+    assert response.json()["errors"][0]["parameter"] == "items"
+
+
+def test_csv(post: Post) -> None:
+    response = post(
+        [{"theta_i_deg": [0, 90]}, {"n_t": -1}, {"n_t": 1.0, "k_t": 0}], accept="text/csv"
+    )
+    assert response.headers["content-type"] == "text/csv; charset=utf-8"
+    rows = list(csv.DictReader(io.StringIO(response.text)))
+    assert [(row["item"], row["value"]) for row in rows] == [
+        ("0", rows[0]["value"]),
+        ("0", "1.0"),
+        ("1", ""),
+        ("2", "0.0"),
+    ]
+    assert float(rows[0]["value"]) == pytest.approx(0.04)
+    assert rows[1]["error"] == ""
+    assert rows[2]["error"].startswith("n_t = -1.0: ")
+
+
+def test_arrow_both_ways(post: Post) -> None:
+    theta = np.linspace(0.0, 90.0, 200_000)
+    columns = {
+        "n_t": pa.array(np.where(np.arange(theta.size) % 2, 1.5, 0.27)),
+        "k_t": pa.array(np.where(np.arange(theta.size) % 2, 0.0, 2.9)),
+        "theta_i_deg": pa.array(theta),
+        "model": pa.array(["exact", "schlick", None, "lut_1d"] * 50_000),
+    }
+    table = from_arrow(post(as_arrow(columns), ARROW))
+    assert table.schema.names == ["item", "value", "error"]
+    assert table["item"].to_pylist()[::50_000] == [0, 50_000, 100_000, 150_000]
+    assert table["error"].null_count == theta.size
+    at = list(range(0, 200_000, 8_191))
+    items = [
+        {"n_t": 1.5 if i % 2 else 0.27, "k_t": 0.0 if i % 2 else 2.9, "theta_i_deg": theta[i],
+         "model": ["exact", "schlick", "exact", "lut_1d"][i % 4]}
+        for i in at
+    ]  # fmt: skip
+    found = table["value"].to_numpy()[at]
+    np.testing.assert_allclose(found, results(post(items)), rtol=1e-13)
+
+
+def test_arrow_rows_that_are_wrong(post: Post) -> None:
+    columns = {
+        "n_t": pa.array([1.5, float("nan"), None, -1.0], pa.float64()),
+        "model": pa.array(["exact", "exact", "exact", "exact"]).dictionary_encode(),
+    }
+    table = from_arrow(post(as_arrow(columns), ARROW))
+    assert table["value"].to_pylist() == [pytest.approx(0.04), None, pytest.approx(0.04), None]
+    errors = table["error"].to_pylist()
+    assert errors[0] is None
+    assert errors[1].startswith("n_t = nan")
+    assert errors[3].startswith("n_t = -1.0")
+
+
+def test_arrow_integers_and_choices(post: Post) -> None:
+    columns = {
+        "theta_i_deg": pa.array([0, 90], pa.int16()),
+        "model": pa.array(["lut_1d", "lut_1d"]),
+        "lut_1d.filtering": pa.array(["nearest", "cubic"]),
+    }
+    table = from_arrow(post(as_arrow(columns), ARROW))
+    assert table["value"].to_pylist() == [pytest.approx(0.04), None]
+    assert "linear" in table["error"].to_pylist()[1]
+
+
+@pytest.mark.parametrize(
+    ("columns", "parameter"),
+    [
+        ({"theta": [1.0]}, "theta"),
+        ({"n_t": ["1.5"]}, "n_t"),
+        ({"model": [1]}, "model"),
+        ({"n_t": [[1.5]]}, "n_t"),
+    ],
+)
+def test_arrow_columns_that_are_wrong(post: Post, columns: dict[str, Any], parameter: str) -> None:
+    response = post(as_arrow(columns), ARROW)
+    assert response.status_code == 422
+    assert response.json()["errors"][0]["parameter"] == parameter
+
+
+def test_arrow_bytes_that_are_none(post: Post) -> None:
+    good = as_arrow({"n_t": np.full(1000, 1.5), "model": ["exact"] * 1000})
+    rng = np.random.default_rng(0)
+    bodies = [b"", b"x" * 100, good[:50], good[: len(good) // 2]]
+    for _ in range(200):
+        damaged = bytearray(good)
+        for at in rng.integers(0, len(good), 4):
+            damaged[at] ^= 1 << int(rng.integers(8))
+        bodies.append(bytes(damaged))
+    for body in bodies:
+        assert post(body, ARROW).status_code in (200, 413, 422)
+
+
+def test_what_a_compressed_stream_holds_is_not_taken_on_trust(post: Post) -> None:
+    table = pa.table({"n_t": np.full(100_000, 1.5)})
+    sink = io.BytesIO()
+    options = pa.ipc.IpcWriteOptions(compression="zstd")
+    with pa.ipc.new_stream(sink, table.schema, options=options) as stream:
+        stream.write_table(table)
+    response = post(sink.getvalue(), ARROW)
+    assert response.status_code == 422
+    assert "compressed" in response.json()["detail"]
+
+
+@pytest.mark.parametrize(
+    ("accept", "kind"),
+    [
+        ("application/json", "application/json"),
+        ("text/csv;q=0.5, application/json;q=0.4", "text/csv; charset=utf-8"),
+        ("text/*", "text/csv; charset=utf-8"),
+        (f"{ARROW}, */*;q=0.1", ARROW),
+        ("*/*", "application/json"),
+        ("application/*;q=0, */*", "text/csv; charset=utf-8"),
+    ],
+)
+def test_the_kind_of_answer_is_asked_for(post: Post, accept: str, kind: str) -> None:
+    response = post([{}], accept=accept)
+    assert (response.status_code, response.headers["content-type"]) == (200, kind)
+
+
+def test_kinds_that_are_not_there(post: Post) -> None:
+    response = post([{}], accept="image/png")
+    assert (response.status_code, response.json()["status"]) == (406, 406)
+    assert "text/csv" in response.json()["detail"]
+    for headers in ({"kind": "text/plain"}, {"content_encoding": "gzip"}):
+        response = post([{}], **headers)
+        assert response.status_code == 415
+        assert response.headers["accept-post"] == f"application/json, {ARROW}"
+
+
+def test_limits() -> None:
+    small = poster(create_app(Settings(body_bytes=1000)))
+    assert small([{}]).status_code == 200
+    refused = small([{"n_t": 1.5}] * 100)
+    assert refused.status_code == 413
+    assert "1000 bytes" in refused.json()["detail"]
+
+
+def test_a_million_values_and_no_more(post: Post) -> None:
+    text = b'{"items":[{"theta_i_deg":[' + b",".join([b"1"] * 1_000_000) + b"]}]}"
+    (found,) = results(post(text))
+    assert len(found) == 1_000_000
+    more = text.replace(b"]}]}", b"]},{}]}")
+    assert post(more).status_code == 413
+    rows = as_arrow({"theta_i_deg": np.zeros(1_000_001, np.int8)})
+    assert post(rows, ARROW).status_code == 413
+
+
+def test_no_query(app: FastAPI) -> None:
+    async def request() -> httpx.Response:
+        transport = httpx.ASGITransport(app=app)
+        async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
+            return await client.post("/api/v1/evaluate?digits=3", json={"items": []})
+
+    response = asyncio.run(request())
+    assert response.status_code == 422
+    assert response.json()["errors"][0]["parameter"] == "digits"
+
+
+def test_other_pages_may_ask(app: FastAPI) -> None:
+    async def request() -> httpx.Response:
+        transport = httpx.ASGITransport(app=app)
+        async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
+            return await client.options(
+                "/api/v1/evaluate",
+                headers={
+                    "Origin": "https://elsewhere.example",
+                    "Access-Control-Request-Method": "POST",
+                    "Access-Control-Request-Headers": "content-type",
+                },
+            )
+
+    assert asyncio.run(request()).status_code == 200
