@@ -18,6 +18,7 @@ from app.api import (
     evaluate,
     formulas,
     health,
+    lut,
     materials,
     models,
     problems,
@@ -103,6 +104,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         albedo_grids.router(registry),
         materials.router(registry),
         shaders.router(registry),
+        lut.router(registry),
         formulas.router(registry),
         evaluate.router(registry, pool, settings.body_bytes),
     ]

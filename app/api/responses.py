@@ -89,14 +89,19 @@ def interface_json(interface: Interface) -> dict[str, Any]:
     }
 
 
-def json_body(payload: Any, digits: int = 17) -> ReadyBody:
+def json_body(
+    payload: Any, digits: int = 17, headers: Mapping[str, str] | None = None
+) -> ReadyBody:
     """Write JSON; arrays are written by orjson without a Python loop, NaN as null."""
     body = orjson.dumps(rounded(payload, digits), option=orjson.OPT_SERIALIZE_NUMPY)
-    return ReadyBody(body, "application/json")
+    return ReadyBody(body, "application/json", headers)
 
 
 def csv_body(
-    columns: Mapping[str, Array], digits: int = 17, filename: str = "fresnel.csv"
+    columns: Mapping[str, Array],
+    digits: int = 17,
+    filename: str = "fresnel.csv",
+    headers: Mapping[str, str] | None = None,
 ) -> ReadyBody:
     """Write CSV: a header row, then one row an index; NaN is an empty field."""
     table = np.ascontiguousarray(
@@ -110,7 +115,7 @@ def csv_body(
         + rows.replace(b"],[", b"\r\n").replace(b"null", b"")
         + b"\r\n"
     )
-    return ReadyBody(body, CSV, shown_as(filename))
+    return ReadyBody(body, CSV, {**shown_as(filename), **(headers or {})})
 
 
 def shown_as(filename: str) -> dict[str, str]:

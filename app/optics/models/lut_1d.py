@@ -7,6 +7,7 @@ from app.optics.errors import NotAllowed
 from app.optics.formula import Symbol
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.lookup import Depth, quantize
 from app.optics.parameters import Array, Parameter
 from app.optics.registry import Cost, Measured, Model
 
@@ -21,6 +22,7 @@ BITS = Parameter(
     "Depth of a texel: 8 or 16 bits as integers from 0 to 1, or a 32 bit float.",
     choices=(("8", 8), ("16", 16), ("32", 32)),
 )
+DEPTHS: dict[int, Depth] = {8: "unorm8", 16: "unorm16", 32: "float"}
 FILTERING = Parameter(
     "filtering",
     r"\text{filter}",
@@ -39,10 +41,7 @@ def table(interface: Interface, size: int, bits: int) -> Array:
         *(m[..., np.newaxis] for m in (interface.n_i, interface.n_t, interface.k_t))
     )
     texels = reflectance(columns, Incidence.from_cosine(np.linspace(0.0, 1.0, size)))
-    if bits == 32:
-        return texels.astype(np.float32).astype(np.float64)
-    steps = 2.0**bits - 1.0
-    return np.asarray(np.rint(texels * steps) / steps)
+    return quantize(texels, DEPTHS[bits])
 
 
 def lut_1d(
