@@ -6,7 +6,7 @@ import { canBeIncident } from "./controls/media.js";
 import { WAVELENGTH } from "./controls/wavelength.js";
 import { byId, h } from "./dom.js";
 import { createShell } from "./shell.js";
-import { choice, createState, number, optional } from "./state.js";
+import { choice, createState, number, optional, shortened } from "./state.js";
 import { startWorker } from "./transport.js";
 
 /**
@@ -31,6 +31,9 @@ const MODELS = "/models?fields=id,title,kind,applies_to,parameters,validity";
 
 /** What all views know of every medium; index.html has it on its way before this script runs. */
 const MATERIALS = "/materials?fields=id,name,category,n,k,wavelength_nm,kind,rival_of,n_range_nm";
+
+/** By what else a medium is found. */
+const FOUND_BY = "/materials?fields=id,aliases,source";
 
 const ANSWER_DUE = 80; // ms that a picture in motion waits for its answer
 const PAGE_ANGLE = 64; // where the page starts: R, Rs and Rp are well apart
@@ -68,6 +71,17 @@ function lines({ detail, errors }) {
   return each.length ? each : [detail].filter(Boolean);
 }
 
+const MOST_LINES = 4;
+
+/** @param {import('./state.js').LinkProblem[]} problems @returns {string[]} */
+function linkLines(problems) {
+  const each = problems
+    .slice(0, MOST_LINES)
+    .map((p) => `${shortened(p.key)} = ${shortened(p.text)}: ${p.message}`);
+  const rest = problems.length - each.length;
+  return rest > 0 ? [...each, `and ${rest} more of the kind`] : each;
+}
+
 /** @param {string} name @param {Blob} blob */
 function save(name, blob) {
   const url = URL.createObjectURL(blob);
@@ -80,6 +94,32 @@ function save(name, blob) {
 function byTable(materials) {
   const common = materials.filter((m) => m.id.endsWith("-shirley"));
   return [...common, ...materials.filter((m) => !common.includes(m))];
+}
+
+/**
+ * What completes rows of the catalog, asked for once, when it is first needed.
+ * @param {{id: string}[]} rows
+ * @param {string} path
+ * @param {string} key of the answer
+ * @param {(problem: Problem) => void} onProblem
+ * @returns {() => Promise<void>}
+ */
+function completed(rows, path, key, onProblem) {
+  /** @type {Promise<void> | null} */
+  let done = null;
+  return () => {
+    done ??= load(path).then(
+      (answer) => {
+        const more = new Map(answer[key].map((/** @type {{id: string}} */ one) => [one.id, one]));
+        for (const row of rows) Object.assign(row, more.get(row.id));
+      },
+      (problem) => {
+        done = null;
+        onProblem(problem);
+      },
+    );
+    return done;
+  };
 }
 
 /** @returns {Promise<Catalog>} */
@@ -101,6 +141,39 @@ async function fetchCatalog() {
   };
 }
 
+/**
+ * The catalog, asked for until it comes: without it there is nothing to show.
+ * @param {HTMLElement} main
+ * @returns {Promise<Catalog>}
+ */
+async function firstCatalog(main) {
+  for (;;) {
+    try {
+      return await fetchCatalog();
+    } catch (error) {
+      const problem =
+        error instanceof Problem
+          ? error
+          : new Problem("The page could not start", { detail: String(error) });
+      const again = h("button", { type: "button" }, "Try again");
+      const failure = h(
+        "section",
+        { class: "failure", role: "alert" },
+        h("h2", {}, problem.title),
+        ...lines(problem).map((line) => h("p", {}, line)),
+        h("p", {}, "The page draws what its server computes, so there is nothing to show yet."),
+        again,
+      );
+      const starting = main.querySelector(".starting");
+      starting?.toggleAttribute("hidden", true);
+      main.append(failure);
+      await new Promise((resolve) => again.addEventListener("click", resolve, { once: true }));
+      failure.remove();
+      starting?.removeAttribute("hidden");
+    }
+  }
+}
+
 async function start() {
   const main = byId("view");
   /** @type {Map<string, {module: ViewModule, view: ReturnType<ViewModule['createView']>, host: HTMLElement}>} */
@@ -118,26 +191,7 @@ async function start() {
   /** @type {import('./state.js').StateStore | null} */
   let store = null;
 
-  /** @type {Catalog} */
-  let catalog;
-  try {
-    catalog = await fetchCatalog();
-  } catch (error) {
-    const problem =
-      error instanceof Problem
-        ? error
-        : new Problem("The page could not start", { detail: String(error) });
-    main.replaceChildren(
-      h("h1", {}, problem.title),
-      h("p", {}, problem.detail),
-      h(
-        "button",
-        { type: "button", class: "quiet", onclick: () => location.reload() },
-        "Try again",
-      ),
-    );
-    return;
-  }
+  const catalog = await firstCatalog(main);
   void load("/health").then(
     (health) => shell.showVersion(health.version),
     () => {},
@@ -177,8 +231,7 @@ async function start() {
         onAnswer(data, path) {
           // `asked` tells a view which question each answer belongs to.
           answers = { ...answers, [name]: data, asked: { ...answers.asked, [name]: path } };
-          broken.delete(name);
-          if (broken.size === 0) shell.notice("server", null);
+          recovered(name);
           schedule();
         },
         onProblem(problem) {
@@ -206,26 +259,18 @@ async function start() {
     return found;
   }
 
-  /** @type {Promise<void> | null} */
-  let described = null;
+  /** The notice stays as long as something on the screen is broken. @param {string} name */
+  function recovered(name) {
+    if (broken.delete(name) && broken.size === 0) shell.notice("server", null);
+  }
 
   /** Formulas, sources and costs of the models, where they are to be read. */
-  function describe() {
-    described ??= load("/models").then(
-      ({ models }) => {
-        for (const model of catalog.models)
-          Object.assign(
-            model,
-            models.find((/** @type {{id: string}} */ m) => m.id === model.id),
-          );
-      },
-      (problem) => {
-        described = null;
-        shell.notice("server", { title: problem.title, lines: lines(problem) });
-      },
-    );
-    return described;
-  }
+  const describe = completed(catalog.models, "/models", "models", (problem) =>
+    shell.notice("server", { title: problem.title, lines: lines(problem) }),
+  );
+
+  /** By what else media are found, once somebody looks for one; names will do where that fails. */
+  const describeMedia = completed(catalog.materials, FOUND_BY, "materials", () => {});
 
   function current() {
     return active === null ? undefined : opened.get(active);
@@ -257,6 +302,11 @@ async function start() {
     later = state.moving() ? [] : Object.entries(here.module.later?.(state.get(), catalog) ?? {});
     for (const name of late) if (busy.has(name)) runner(name).cancel();
     const wanted = here.module.queries(state.get(), catalog, state.moving());
+    // What is not asked any more cannot recover.
+    if (!state.moving()) {
+      const asked = new Set([...Object.keys(wanted), ...later.map(([name]) => name)]);
+      for (const name of broken) if (!asked.has(name)) recovered(name);
+    }
     first = Object.keys(wanted)[0] ?? "";
     for (const [name, path] of Object.entries(wanted)) {
       // While the first is on its way again and again, the others would only slow it down.
@@ -298,6 +348,7 @@ async function start() {
     for (const one of runners.values()) one.cancel();
     runners.clear();
     late.clear();
+    for (const name of broken) recovered(name);
     answers = {};
     active = id;
     shell.showTab(id);
@@ -323,6 +374,7 @@ async function start() {
         say: shell.say,
         save,
         describe,
+        describeMedia,
         typeset: async (latex, element) => (await import("./typeset.js")).typeset(latex, element),
       });
       opened.set(id, { module, view, host });
@@ -349,7 +401,7 @@ async function start() {
         ? null
         : {
             title: "The link says something that cannot be shown",
-            lines: problems.map((p) => `${p.key} = ${p.text}: ${p.message}`),
+            lines: linkLines(problems),
           },
     );
   }

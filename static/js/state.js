@@ -1,5 +1,7 @@
 /** One state object; its part that differs from the defaults stands in the URL. */
 
+import { allowedWords } from "./nearest.js";
+
 /**
  * @typedef {object} Field
  * @property {any} default
@@ -10,6 +12,13 @@
  */
 
 export class LinkError extends Error {}
+
+const LONGEST_QUOTE = 40;
+
+/** A link may say anything, at any length. @param {string} text */
+export function shortened(text) {
+  return text.length > LONGEST_QUOTE ? `${text.slice(0, LONGEST_QUOTE - 1)}…` : text;
+}
 
 /**
  * A number; null where the declaration has no default, which leaves it to the server.
@@ -35,7 +44,7 @@ export function choice(preset, options) {
   return {
     default: preset,
     parse(text) {
-      if (!options.includes(text)) throw new LinkError(`allowed is one of ${options.join(", ")}`);
+      if (!options.includes(text)) throw new LinkError(allowedWords(options, text));
       return text;
     },
     print: String,
@@ -50,7 +59,7 @@ export function list(options) {
       const words = text.split(",");
       const strange = words.find((word) => !options.includes(word));
       if (strange !== undefined) {
-        throw new LinkError(`“${strange}” is not one of ${options.join(", ")}`);
+        throw new LinkError(`“${shortened(strange)}”: ${allowedWords(options, strange)}`);
       }
       return Object.freeze([...new Set(words)]);
     },
@@ -63,7 +72,7 @@ export function optional(options) {
   return {
     default: null,
     parse(text) {
-      if (!options.includes(text)) throw new LinkError("it is not in the list of media");
+      if (!options.includes(text)) throw new LinkError(allowedWords(options, text));
       return text;
     },
     print: (value) => value ?? "",

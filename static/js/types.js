@@ -7,7 +7,7 @@
  *   latex: string, reference: string, validity: string, cost: unknown, trap?: boolean}} Model
  * @typedef {{id: string, name: string, category: string, n: number, k: number | null,
  *   wavelength_nm: number | null, kind: string, rival_of: string | null,
- *   n_range_nm: [number, number] | null}} Material
+ *   n_range_nm: [number, number] | null, aliases?: string[], source?: string}} Material
  * @typedef {{n_i: number, n_t: number, k_t: number, eta: number, kappa: number, kind: string,
  *   F0: number, F82: number, brewster_deg: number | null, critical_deg: number | null,
  *   pseudo_brewster_deg: number | null}} Interface
@@ -34,6 +34,7 @@
  * @property {(text: string) => void} say
  * @property {(name: string, blob: Blob) => void} save
  * @property {() => Promise<void>} describe completes the models' formulas, sources and costs
+ * @property {() => Promise<void>} describeMedia completes the media's aliases and sources
  * @property {(latex: string, element: HTMLElement) => Promise<void>} typeset
  * @typedef {object} View
  * @property {(state: State, answers: Record<string, any>, moving: boolean) => void} update

@@ -247,7 +247,71 @@ def test_a_server_that_is_gone_at_the_start_is_told(page: Page) -> None:
     page.route("**/api/v1/parameters", lambda route: route.abort())
     page.goto("/")
     expect(page.locator("main")).to_contain_text("does not answer")
-    expect(page.get_by_role("button", name="Try again")).to_be_visible()
+    expect(page.get_by_role("navigation", name="Views")).to_be_visible()
+    again = page.get_by_role("button", name="Try again")
+    again.click()
+    expect(again).to_be_visible()  # it failed again
+    page.unroute_all()
+    again.click()
+    expect(number(page, "F0")).to_have_text("0.0400000", timeout=READY_MS)
+    expect(page.locator(".failure, .starting")).to_have_count(0)
+
+
+def test_a_notice_goes_with_the_view_it_is_about(page: Page) -> None:
+    opened(page)
+    page.route("**/api/v1/snell*", lambda route: route.fulfill(status=500, body="{}"))
+    type_into(page, "n_t", "2")
+    expect(page.locator(".notice")).to_contain_text("500")
+    page.get_by_role("link", name="Compare").click()
+    expect(page.locator("#compare-n_t-box")).to_have_value("2", timeout=READY_MS)
+    expect(page.locator(".notice")).to_have_count(0)
+
+
+def test_a_box_forgets_the_nonsense_that_was_in_it(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    type_into(page, "n_t", "abc")
+    expect(page.locator("#n_t-error")).to_contain_text("abc")
+    type_into(page, "n_t", "2^-1")
+    expect(page.locator("#n_t-error")).to_be_empty()
+    expect(box(page, "n_t")).to_have_value("0.5")
+    settled_link(page, "n_t", r"0\.5")
+
+
+def test_radians_end_at_a_right_angle(quiet_page: Page) -> None:
+    page = opened(quiet_page, "?angle=rad")
+    type_into(page, "theta_i_deg", "2")
+    expect(page.locator("#theta_i_deg-error")).not_to_be_empty()
+    assert "theta_i_deg" not in link(page)
+    type_into(page, "theta_i_deg", "1.5708")
+    expect(page.locator("#theta_i_deg-error")).to_be_empty()
+    settled_link(page, "theta_i_deg", "90")
+
+
+def test_dozens_of_curves_leave_the_picture_its_height(quiet_page: Page) -> None:
+    page = quiet_page
+    models = page.request.get("/api/v1/models?fields=id").json()["models"]
+    ids = ",".join(model["id"] for model in models if model["id"] != "exact")
+    opened(page, f"?models={ids}")
+    legend = page.locator(".plot-legend")
+    expect(legend.locator("li")).to_have_count(len(models) + 2)
+    expect(legend).to_have_attribute("tabindex", "0")
+    area = page.locator(".curves .plot-area").bounding_box()
+    below = legend.bounding_box()
+    assert area is not None
+    assert below is not None
+    assert area["height"] > 250
+    assert below["height"] < 100
+    assert below["y"] >= area["y"] + area["height"]
+
+
+def test_what_a_link_may_not_say_is_reported_shortly(quiet_page: Page) -> None:
+    page = opened(quiet_page, f"?models=schlik,{'x' * 500}&material=glod&a=1&b=2&c=3&d=4")
+    notice = page.locator(".notice")
+    expect(notice).to_contain_text("the nearest are schlick")
+    expect(notice).to_contain_text("and 2 more")
+    shown = notice.bounding_box()
+    assert shown is not None
+    assert shown["height"] < 180
 
 
 def test_total_internal_reflection_needs_no_swap(quiet_page: Page) -> None:

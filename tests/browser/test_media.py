@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.explore_page import READY_MS, box, link, number, opened
+from tests.browser.explore_page import READY_MS, box, link, number, opened, settled_link
 
 AXE = Path(__file__).parents[2] / "node_modules" / "axe-core" / "axe.min.js"
 
@@ -37,6 +37,17 @@ def test_media_are_found_by_typing(quiet_page: Page) -> None:
     expect(options.first).to_contain_text("Diamond")
     field.press("Escape")
     expect(field).to_have_value(re.compile("^Gold"))
+
+
+@pytest.mark.parametrize("text", ["aurum", "Slovick"])
+def test_media_are_found_by_other_names_and_authors(quiet_page: Page, text: str) -> None:
+    page = opened(quiet_page)
+    field = page.get_by_label("Second medium")
+    field.click()
+    field.press_sequentially(text)
+    expect(page.locator(".media-list [role=option]").first).to_contain_text("Gold")
+    field.press("Enter")
+    settled_link(page, "material", "Au")
 
 
 def test_an_absorbing_medium_cannot_be_in_front(quiet_page: Page) -> None:

@@ -1,9 +1,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { createConstants, isDispersive, knownRange, mediaAt } from "../../static/js/constants.js";
-import { distance, matching } from "../../static/js/controls/picker.js";
+import { matching } from "../../static/js/controls/picker.js";
 import { sentence, spread } from "../../static/js/explore/dispersion.js";
 import { spreadPaths } from "../../static/js/explore/spread-paths.js";
+import { allowedWords, distance } from "../../static/js/nearest.js";
 
 /** @param {string} id @param {object} [more] @returns {any} */
 const medium = (id, more = {}) => ({
@@ -47,6 +48,25 @@ test("a medium is found by name, formula, word, category, and in spite of a typo
   assert.deepEqual(ids("xyzzyx"), []);
   assert.equal(ids("").length, MEDIA.length);
   assert.equal(distance("dimond", "diamond"), 1);
+});
+
+test("a medium is found by its other names and its authors once they are known", () => {
+  const more = [medium("Al", { name: "Aluminium" }), medium("Au", { name: "Gold" })];
+  const ids = (/** @type {string} */ text) => matching(more, text).map((m) => m.id);
+  assert.deepEqual(ids("aurum"), []);
+  Object.assign(more[1] ?? {}, { aliases: ["aurum"], source: "R. L. Olmon, B. Slovick. 2012" });
+  assert.deepEqual(ids("aurum"), ["Au"]);
+  assert.deepEqual(ids("auram"), ["Au"]);
+  assert.deepEqual(ids("olmon"), ["Au"]);
+  assert.deepEqual(ids("r"), []);
+});
+
+test("of many words the nearest are named, of few all", () => {
+  assert.equal(allowedWords(["s", "p"], "x"), "allowed is one of s, p");
+  const models = ["schlick", "schlick_tir", "exact", "f82_tint", "lut_1d", "a", "b", "c", "d"];
+  const said = allowedWords(models, "Schlik");
+  assert.match(said, /none of the 9 allowed; the nearest are schlick, /);
+  assert.ok(allowedWords(models, "x".repeat(1e6)).length < 120);
 });
 
 test("only media with a spectrum are asked for at a wavelength", () => {

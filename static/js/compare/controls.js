@@ -32,8 +32,9 @@ const PRESETS = { n_i: "incident", n_t: "material", k_t: "material" };
  * @param {() => State} options.state
  * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
  * @param {import('../state.js').Field} options.family
+ * @param {() => Promise<void>} options.describeMedia
  */
-export function createControls({ catalog, presets, state, actions, family }) {
+export function createControls({ catalog, presets, state, actions, family, describeMedia }) {
   const rows = Object.entries(MANNERS).flatMap(([name, manner]) => {
     const parameter = catalog.parameters.find((p) => p.name === name);
     if (!parameter) return [];
@@ -55,6 +56,7 @@ export function createControls({ catalog, presets, state, actions, family }) {
 
   const media = createMedia({
     materials: catalog.materials,
+    describe: describeMedia,
     actions,
     prefix: "compare-",
     onPick(side, id) {

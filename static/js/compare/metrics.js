@@ -1,6 +1,7 @@
 /** The columns of the table of errors: what they hold, how it is written and sorted. */
 
 import { angle, percent, significant } from "../format.js";
+import { byColumn } from "../sorted.js";
 
 /**
  * @typedef {object} Row the measured errors of one model
@@ -144,17 +145,12 @@ export const COLUMNS = [
  */
 export function sorted(rows, by, order, setting) {
   const column = COLUMNS.find((c) => c.name === by) ?? /** @type {Column} */ (COLUMNS[0]);
-  const sign = order === "up" ? 1 : -1;
-  /** @param {Row} row */
-  const key = (row) => {
-    const value = column.value(row, setting);
-    return typeof value === "number" ? Math.abs(value) : value;
-  };
-  return [...rows].sort((a, b) => {
-    const [x, y] = [key(a), key(b)];
-    if (x === null || y === null) return x === y ? 0 : x === null ? 1 : -1;
-    if (typeof x === "string" || typeof y === "string")
-      return sign * String(x).localeCompare(String(y));
-    return sign * (x - y);
-  });
+  return byColumn(
+    rows,
+    (row) => {
+      const value = column.value(row, setting);
+      return typeof value === "number" ? Math.abs(value) : value;
+    },
+    order,
+  );
 }

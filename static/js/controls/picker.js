@@ -1,34 +1,17 @@
 /** One of the catalog's media: a field that is typed into, and the list of what fits. */
 
 import { h } from "../dom.js";
+import { distance } from "../nearest.js";
 
 /** @typedef {import('../types.js').Material} Material */
 
 const MOST_TYPOS = 2;
 let pickers = 0;
 
-/** @param {string} a @param {string} b @returns {number} letters to insert, leave out or change */
-export function distance(a, b) {
-  let row = Array.from({ length: b.length + 1 }, (_, i) => i);
-  for (let i = 1; i <= a.length; i += 1) {
-    const next = [i];
-    for (let j = 1; j <= b.length; j += 1)
-      next.push(
-        Math.min(
-          (row[j] ?? 0) + 1,
-          (next[j - 1] ?? 0) + 1,
-          (row[j - 1] ?? 0) + (a[i - 1] === b[j - 1] ? 0 : 1),
-        ),
-      );
-    row = next;
-  }
-  return row[b.length] ?? 0;
-}
-
 /**
- * Media by what was typed: names and ids that begin so, then words, then what holds it anywhere, and
- * where nothing does what is spelled nearly so.
- * @template {Pick<Material, 'id' | 'name' | 'category'>} M
+ * Media by what was typed: names and ids that begin so, then words and other names, then what holds it
+ * anywhere, then authors, and where nothing does what is spelled nearly so.
+ * @template {Pick<Material, 'id' | 'name' | 'category' | 'aliases' | 'source'>} M
  * @param {readonly M[]} materials
  * @param {string} text
  * @returns {M[]}
@@ -37,20 +20,24 @@ export function matching(materials, text) {
   const asked = text.trim().toLowerCase();
   if (asked === "") return [...materials];
   /** @param {M} material */
-  const rank = ({ id, name, category }) => {
+  const rank = ({ id, name, category, aliases = [], source = "" }) => {
     const [own, called] = [id.toLowerCase(), name.toLowerCase()];
     if (own === asked || called === asked) return 0;
     if (called.startsWith(asked)) return 1;
     if (own.startsWith(asked)) return 2;
-    if (called.split(/[\s,()]+/).some((word) => word.startsWith(asked))) return 3;
+    const words = [...called.split(/[\s,()]+/), ...aliases.map((alias) => alias.toLowerCase())];
+    if (words.some((word) => word.startsWith(asked))) return 3;
     if (called.includes(asked) || own.includes(asked)) return 4;
-    return category.startsWith(asked) ? 5 : 9;
+    if (category.startsWith(asked)) return 5;
+    return asked.length > 2 && source.toLowerCase().includes(asked) ? 6 : 9;
   };
   const ranked = materials.map((m) => ({ m, rank: rank(m) })).filter((r) => r.rank < 9);
   if (ranked.length > 0) return ranked.sort((a, b) => a.rank - b.rank).map((r) => r.m);
   const near = materials
     .map((m) => {
-      const words = [m.id, ...m.name.split(/[\s,()]+/)].map((w) => w.toLowerCase());
+      const words = [m.id, ...m.name.split(/[\s,()]+/), ...(m.aliases ?? [])].map((w) =>
+        w.toLowerCase(),
+      );
       return { m, far: Math.min(...words.map((word) => distance(asked, word))) };
     })
     .filter(({ far }) => far <= Math.min(MOST_TYPOS, asked.length - 2));
@@ -65,9 +52,19 @@ export function matching(materials, text) {
  * @param {(material: Material) => string} options.note beside the name
  * @param {(material: Material) => string} options.origin where the note comes from
  * @param {(material: Material) => string | null} options.refusal why a medium cannot stand on this side
+ * @param {() => Promise<void>} [options.describe] completes what media are found by
  * @param {(id: string) => void} options.onPick
  */
-export function createPicker({ label, materials, groupOf, note, origin, refusal, onPick }) {
+export function createPicker({
+  label,
+  materials,
+  groupOf,
+  note,
+  origin,
+  refusal,
+  onPick,
+  describe = async () => {},
+}) {
   pickers += 1;
   const own = `media-${pickers}`;
   const input = h("input", {
@@ -197,6 +194,10 @@ export function createPicker({ label, materials, groupOf, note, origin, refusal,
     if (list) return;
     input.select();
     open("");
+  });
+  input.addEventListener("focus", async () => {
+    await describe();
+    if (list && input.value !== written(chosen)) open(input.value);
   });
   input.addEventListener("input", () => open(input.value));
   input.addEventListener("blur", close);

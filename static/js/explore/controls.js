@@ -3,6 +3,7 @@
 import { createChoice } from "../controls/choice.js";
 import { createMedia } from "../controls/media.js";
 import { createRow } from "../controls/row.js";
+import { createSheet } from "../controls/sheet.js";
 import { h, setText, symbol } from "../dom.js";
 import { evaluateAngle } from "../expression.js";
 import { angle, inDegrees, inUnit, plain } from "../format.js";
@@ -51,8 +52,9 @@ export const ANGLE_STEPS = { step: 0.5, fine: 0.05, page: 5 };
  * @param {State} options.presets the state's defaults
  * @param {() => State} options.state
  * @param {Actions} options.actions
+ * @param {() => Promise<void>} options.describeMedia
  */
-export function createControls({ catalog, presets, state, actions }) {
+export function createControls({ catalog, presets, state, actions, describeMedia }) {
   const unit = () => state().angle;
   /** A value of one's own is no preset any more. @type {Record<string, string>} */
   const preset = { n_i: "incident", n_t: "material", k_t: "material" };
@@ -100,6 +102,7 @@ export function createControls({ catalog, presets, state, actions }) {
 
   const media = createMedia({
     materials: catalog.materials,
+    describe: describeMedia,
     actions,
     onPick(side, id) {
       const material = catalog.materials.find((m) => m.id === id);
@@ -200,24 +203,6 @@ export function createControls({ catalog, presets, state, actions }) {
       });
   }
 
-  // On a phone the panel is a sheet at the bottom: a strip of values, one row, the rest on demand.
-  const strip = h("div", { class: "strip", role: "group", "aria-label": "Which value to move" });
-  const pages = [...rows].map(([name, r]) => {
-    const value = h("b", {});
-    const parameter = catalog.parameters.find((p) => p.name === name);
-    const button = h(
-      "button",
-      { type: "button", "aria-pressed": "false" },
-      symbol(parameter?.symbol ?? name),
-      value,
-    );
-    button.addEventListener("click", () => choose(name));
-    strip.append(button);
-    return { name, row: r, button, value };
-  });
-  const opener = h("button", { type: "button", class: "opener", "aria-expanded": "false" }, "all");
-  strip.append(opener);
-
   const body = h(
     "div",
     { class: "panel-body" },
@@ -234,31 +219,21 @@ export function createControls({ catalog, presets, state, actions }) {
       ownPlace,
     ),
   );
-  const element = h(
-    "section",
-    { class: "panel", "aria-label": "Controls", "data-sheet": "closed" },
-    strip,
-    body,
-  );
-  opener.addEventListener("click", () => {
-    const open = element.dataset.sheet !== "open";
-    element.dataset.sheet = open ? "open" : "closed";
-    opener.setAttribute("aria-expanded", String(open));
-    opener.textContent = open ? "close" : "all";
-  });
-
-  /** @param {string} name */
-  function choose(name) {
-    for (const page of pages) {
-      const on = page.name === name;
-      page.button.setAttribute("aria-pressed", String(on));
-      page.row.element.toggleAttribute("data-chosen", on);
-    }
-  }
-  choose("theta_i_deg");
+  const pages = [...rows].map(([name, row]) => ({
+    name,
+    symbol: catalog.parameters.find((p) => p.name === name)?.symbol ?? name,
+    row,
+    print() {
+      const now = state();
+      return name === "theta_i_deg"
+        ? angle(now[name], now.angle, now.angle === "deg" ? 1 : 3)
+        : plain(now[name], 4);
+    },
+  }));
+  const sheet = createSheet({ pages, body, first: "theta_i_deg" });
 
   return {
-    element,
+    element: sheet.element,
     stop() {
       media.stop();
       for (const r of rows.values()) r.stop();
@@ -277,14 +252,8 @@ export function createControls({ catalog, presets, state, actions }) {
         n_t: [{ value: now.n_i, label: "equal to n_i" }],
         theta_i_deg: landmarks.map((l) => ({ value: l.deg, label: l.label })),
       };
-      for (const { name, row: r, value } of pages) {
-        r.update(now[name], marks[name] ?? []);
-        const text =
-          name === "theta_i_deg"
-            ? angle(now[name], now.angle, now.angle === "deg" ? 1 : 3)
-            : plain(now[name], 4);
-        setText(value, text);
-      }
+      for (const [name, row] of rows) row.update(now[name], marks[name] ?? []);
+      sheet.update();
       polarization.update([now.polarization]);
       angles.update([now.angle]);
       show.update([

@@ -41,4 +41,7 @@ export function drawLegend(list, traces) {
       return item;
     }),
   );
+  // What scrolls has to be reached by keys.
+  if (list.scrollHeight > list.clientHeight) list.tabIndex = 0;
+  else list.removeAttribute("tabindex");
 }

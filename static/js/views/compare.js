@@ -32,13 +32,24 @@ await Promise.all(
 const SETTLE_AFTER = 250; // ms
 
 /** @param {ViewContext} context */
-export function createView({ element, catalog, presets, state, actions, say, save, typeset }) {
+export function createView({
+  element,
+  catalog,
+  presets,
+  state,
+  actions,
+  say,
+  save,
+  describeMedia,
+  typeset,
+}) {
   const { models } = catalog;
   const controls = createControls({
     catalog,
     presets,
     state,
     actions,
+    describeMedia,
     family: /** @type {import('../state.js').Field} */ (compareFields(catalog).family),
   });
   const examples = createExamples({ presets, actions });

@@ -46,9 +46,10 @@ export function createView({
   say,
   save,
   describe,
+  describeMedia,
   typeset,
 }) {
-  const controls = createControls({ catalog, presets, state, actions });
+  const controls = createControls({ catalog, presets, state, actions, describeMedia });
   const numbers = createNumbers(say);
   const split = createSplit();
   const whitePlace = h("div", { hidden: true });
