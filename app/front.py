@@ -6,17 +6,18 @@ import asyncio
 from collections.abc import Hashable, Mapping
 from typing import Any
 
-from pydantic import BaseModel
 from starlette.requests import Request
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api.answers import Large
+from app.api.params import QueryModel
 from app.api.problems import API_HEADERS, PROBLEMS, problem_of
 from app.api.route import QueryRoute
 from app.api.table import RouteTable
 from app.cache import AnswerCache
 from app.pool import Pool
 from app.ready import Headers, ReadyBody, Reply
+from app.settings import Settings
 
 
 class Front:
@@ -37,8 +38,8 @@ class Front:
         Where answers are kept.
     pool
         Where large ones are computed.
-    max_age_s
-        How long caches elsewhere may keep an answer, in seconds.
+    settings
+        How long caches elsewhere may keep an answer, and how large one may be.
     """
 
     def __init__(
@@ -49,7 +50,7 @@ class Front:
         prefix: str,
         cache: AnswerCache,
         pool: Pool,
-        max_age_s: int,
+        settings: Settings,
     ) -> None:
         self.app = app
         self._cache = cache
@@ -57,8 +58,9 @@ class Front:
         self._under_way: dict[Hashable, asyncio.Task[ReadyBody]] = {}
         self._prefix = prefix
         self._table = table
+        self._max_samples, self._max_cells = settings.max_samples, settings.max_cells
         self._kept: Headers = [
-            (b"cache-control", b"public, max-age=%d" % max_age_s),
+            (b"cache-control", b"public, max-age=%d" % settings.max_age_s),
             *API_HEADERS,
         ]
         self._not_kept: Headers = [(b"cache-control", b"no-store"), *API_HEADERS]
@@ -104,6 +106,8 @@ class Front:
     ) -> ReadyBody:
         """Compute an answer that was not asked for in this spelling."""
         query = route.read(asked[1])
+        if query is not None:
+            query.refuse_beyond(self._max_samples, self._max_cells)
         meant = (asked[0], _meaning(query))
         ready = self._cache.get(meant)
         if ready is None:
@@ -125,7 +129,7 @@ class Front:
         return await asyncio.shield(task)
 
 
-def _meaning(query: BaseModel | None) -> Hashable:
+def _meaning(query: QueryModel | None) -> Hashable:
     """What a query asks for, in any order and spelling of its parameters.
 
     Which parameters were given belongs to it, for some may not be given beside others, even with

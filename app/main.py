@@ -90,7 +90,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     app.state.settings = settings
     app.state.metrics = Metrics()
     app.state.drain = drain = Drain(settings.drain_s)
-    pool = Pool(settings.threads, settings.timeout_s)
+    pool = Pool(settings.threads, settings.max_waiting, settings.timeout_s)
     routers: list[APIRouter] = [
         curves.router(registry),
         snell.router(),
@@ -119,7 +119,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         prefix=PREFIX,
         cache=AnswerCache(settings.cache_bytes),
         pool=pool,
-        max_age_s=settings.max_age_s,
+        settings=settings,
     )
     for router in routers:
         app.include_router(router, prefix=PREFIX)

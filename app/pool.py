@@ -9,9 +9,6 @@ from typing import Any, TypeVar
 
 T = TypeVar("T")
 
-# Work that waits, for each thread: more would only be answered after its time is over.
-_WAITING = 16
-
 
 class Overloaded(Exception):
     """The server has no time for a request now; `limit` says which limit was reached."""
@@ -29,13 +26,15 @@ class Pool:
     ----------
     threads
         How many computations run at a time.
+    waiting
+        How many more are taken.
     timeout_s
         How long one may take, its time in the queue included.
     """
 
-    def __init__(self, threads: int, timeout_s: float) -> None:
+    def __init__(self, threads: int, waiting: int, timeout_s: float) -> None:
         self._executor = ThreadPoolExecutor(threads, thread_name_prefix="compute")
-        self._most = threads * (1 + _WAITING)
+        self._most = threads + waiting
         self._timeout_s = timeout_s
         self._under_way: set[Future[Any]] = set()
 
@@ -57,7 +56,7 @@ class Pool:
         """
         if len(self._under_way) >= self._most and not let_in:
             raise Overloaded(
-                f"{self._most} large computations are under way, and no more are taken"
+                f"{self._most} large computations run or wait (FRESNEL_THREADS, FRESNEL_MAX_WAITING)"
             )
         future = self._executor.submit(function)
         self._under_way.add(future)

@@ -1,40 +1,22 @@
-"""uvicorn as this program runs it: what it refuses itself is a problem too."""
+"""The server as the command runs it."""
 
 from __future__ import annotations
 
 import contextlib
 import os
+import sys
 import tempfile
 from collections.abc import Callable, Iterator
 
 import uvicorn
-from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 from uvicorn.supervisors import Multiprocess
 
-from app.api.problems import MEDIA_TYPE, problem_bytes
 from app.observe.metrics import SHARED
+from app.protocol import Config
 from app.settings import Settings
 
 _UNRESPONSIVE_S = 30
 """Time after which a worker that does not even answer its supervisor is replaced."""
-
-
-class ProblemProtocol(HttpToolsProtocol):
-    """uvicorn's HTTP, which answers a request that it cannot read before any application."""
-
-    def send_400_response(self, msg: str) -> None:
-        """Answer with a problem instead of plain text, and hang up."""
-        detail = f"{msg} A method, path and query of at most 65535 plain characters are understood."
-        body = problem_bytes(400, detail, "")
-        head = [
-            b"HTTP/1.1 400 Bad Request",
-            *(name + b": " + value for name, value in self.server_state.default_headers),
-            b"content-type: " + MEDIA_TYPE.encode(),
-            b"content-length: " + str(len(body)).encode(),
-            b"connection: close",
-        ]
-        self.transport.write(b"\r\n".join([*head, b"", body]))
-        self.transport.close()
 
 
 def serve(settings: Settings, announce: Callable[[str], None]) -> None:
@@ -51,16 +33,16 @@ def serve(settings: Settings, announce: Callable[[str], None]) -> None:
     announce
         Called with the URL once the port is taken.
     """
-    config = uvicorn.Config(
+    allow_open_files(settings.max_connections)
+    config = Config(
         "app.main:create_app",
+        settings,
         factory=True,
         host=settings.host,
         port=settings.port,
         workers=settings.workers,
-        http=ProblemProtocol,
         log_level="warning",
         access_log=False,  # the application writes its own
-        server_header=False,
         timeout_graceful_shutdown=settings.grace_s,
         timeout_worker_healthcheck=_UNRESPONSIVE_S,
     )
@@ -90,3 +72,17 @@ def _shared_metrics() -> Iterator[None]:
             yield
         finally:
             del os.environ[SHARED]
+
+
+def allow_open_files(connections: int) -> None:
+    """Let the process open a file a connection, and some more, as far as the system allows."""
+    if sys.platform == "win32":
+        return  # which has no such limit
+    import resource
+
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    wanted = connections + 200
+    if hard != resource.RLIM_INFINITY:
+        wanted = min(wanted, hard)
+    if soft != resource.RLIM_INFINITY and soft < wanted:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (wanted, hard))

@@ -42,6 +42,38 @@ class Settings(BaseSettings):
         128_000_000, ge=1, description="Size of the largest body that `/evaluate` takes, in bytes."
     )
     threads: int = Field(2, ge=1, description="How many large answers are computed at a time.")
+    max_waiting: int = Field(32, ge=0, description="How many large answers wait to be computed.")
     timeout_s: float = Field(
-        30.0, gt=0.0, description="How long a large answer may take, in seconds."
+        30.0, gt=0.0, description="How long a large answer may take, waiting included, in seconds."
+    )
+    max_samples: int = Field(20_001, ge=2, description="Most angles of a curve.")
+    max_cells: int = Field(250_000, ge=4, description="Most cells of a map.")
+    max_body_bytes: int = Field(128_000_000, ge=0, description="Longest body of a request.")
+    max_target_bytes: int = Field(
+        16_384, ge=100, le=65_535, description="Longest path with its query, in bytes."
+    )
+    max_header_bytes: int = Field(
+        32_768, ge=1000, description="Longest headers of a request together, in bytes."
+    )
+    max_connections: int = Field(5000, ge=1, description="Most connections at a time.")
+    read_timeout_s: float = Field(
+        15.0,
+        gt=0.0,
+        description="How long a client may take for the head of a request, and for each further part.",
+    )
+    write_timeout_s: float = Field(
+        30.0, gt=0.0, description="How long a client may read nothing of its answer, in seconds."
+    )
+    keep_alive_s: int = Field(
+        5, ge=0, description="How long a connection stays open after an answer, in seconds."
+    )
+    trusted_proxies: str = Field(
+        "",
+        description="Addresses or networks of proxies that are believed who the client is, "
+        "separated by commas; * for all.",
+    )
+    allowed_hosts: str = Field(
+        "*",
+        description="Host names that are answered for, separated by commas; *.example.org for all "
+        "below one, * for all.",
     )

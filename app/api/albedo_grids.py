@@ -5,7 +5,7 @@
 
 from collections import Counter
 from functools import lru_cache
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
 from fastapi import APIRouter, Query
@@ -69,6 +69,8 @@ class SweepQuery(TableQuery, InterfaceQuery):
 
 class MapQuery(TableQuery):
     """Albedos, or a fit's errors, over a rectangle of n_t and k_t."""
+
+    cells: ClassVar[tuple[str, ...]] = ("n_steps", "k_steps")
 
     n_i: Number = number(N_I)
     n_minimum: Number = Field(

@@ -4,7 +4,7 @@
 # time, and FastAPI could not look up its name.
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, NamedTuple, cast
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple, cast
 
 import numpy as np
 from fastapi import APIRouter, Query
@@ -75,6 +75,8 @@ class ErrorSweepQuery(InterfaceQuery, TableQuery):
 
 class ErrorMapQuery(InterfaceQuery, TableQuery):
     """Errors of a model over a rectangle: angle by index, or index by extinction."""
+
+    cells: ClassVar[tuple[str, ...]] = ("x_steps", "y_steps")
 
     model: ModelId = "schlick"
     x: AxisName = Field("theta_i_deg", description="Horizontal axis.")

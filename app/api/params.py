@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import re
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import (
     BaseModel,
@@ -63,6 +64,27 @@ class QueryModel(BaseModel):
     """Base of all queries; unknown and repeated names are refused by `QueryRoute`."""
 
     model_config = ConfigDict(frozen=True, validate_default=False)
+
+    cells: ClassVar[tuple[str, ...]] = ()
+    """The fields whose product is the number of cells of a map."""
+
+    def refuse_beyond(self, max_samples: int, max_cells: int) -> None:
+        """Refuse more than an operator lets the server compute at once.
+
+        Raises
+        ------
+        BadParameters
+            Naming what there is too much of, and the setting.
+        """
+        samples = getattr(self, "samples", 0)
+        if samples > max_samples:
+            message = f"this server computes at most {max_samples} (FRESNEL_MAX_SAMPLES)"
+            raise BadParameters({"parameter": "samples", "value": samples, "message": message})
+        if self.cells and math.prod(getattr(self, name) for name in self.cells) > max_cells:
+            first, names = self.cells[0], " times ".join(self.cells)
+            message = f"this server computes {names} at most {max_cells} (FRESNEL_MAX_CELLS)"
+            value = getattr(self, first)
+            raise BadParameters({"parameter": first, "value": value, "message": message})
 
 
 def preset_name(description: str, *examples: str) -> Any:

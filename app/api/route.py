@@ -11,11 +11,12 @@ from urllib.parse import parse_qsl
 from annotated_types import Ge, Le
 from fastapi import Request
 from fastapi.routing import APIRoute
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 from pydantic.fields import FieldInfo
 from starlette.responses import Response
 
 from app.api.answers import Answer
+from app.api.params import QueryModel
 from app.api.problems import MOST_ERRORS, BadParameters, ParameterError, unknown_parameter
 
 
@@ -33,17 +34,17 @@ class QueryRoute(APIRoute):
         if self.methods != {"GET"} or self.dependant.body_params:
             raise TypeError(f"{self.path}: a QueryRoute answers GET and takes no body")
         self._query_name: str | None = None
-        self._model: type[BaseModel] | None = None
+        self._model: type[QueryModel] | None = None
         self._fields: Mapping[str, FieldInfo] = {}
         for parameter in self.dependant.query_params:
             model = parameter.field_info.annotation
-            if not (isinstance(model, type) and issubclass(model, BaseModel)):
+            if not (isinstance(model, type) and issubclass(model, QueryModel)):
                 raise TypeError(f"{self.path}: {parameter.name} must be a query model")
             self._query_name, self._model = parameter.name, model
             self._fields = {info.alias or name: info for name, info in model.model_fields.items()}
         return _answered_in_front
 
-    def read(self, query: bytes) -> BaseModel | None:
+    def read(self, query: bytes) -> QueryModel | None:
         """Validate a query string; None for a route without parameters.
 
         Raises
@@ -62,7 +63,7 @@ class QueryRoute(APIRoute):
         except ValidationError as error:
             raise BadParameters(*explain(error, self._fields)) from None
 
-    def answer(self, path: Mapping[str, str], query: BaseModel | None) -> Answer:
+    def answer(self, path: Mapping[str, str], query: QueryModel | None) -> Answer:
         """Call the endpoint with the parts of the path and the query that `read` returned."""
         named = {} if self._query_name is None else {self._query_name: query}
         answer: Answer = self.endpoint(**path, **named)

@@ -189,7 +189,7 @@ class TestCache:
 class TestPool:
     def test_no_more_wait_than_can_be_answered(self) -> None:
         async def flood() -> list[object]:
-            pool, go = Pool(1, 60.0), threading.Event()
+            pool, go = Pool(1, 16, 60.0), threading.Event()
             asked = [asyncio.create_task(pool.run(go.wait)) for _ in range(40)]
             await asyncio.sleep(0.01)
             go.set()
@@ -201,7 +201,7 @@ class TestPool:
 
     def test_what_takes_too_long_is_given_up(self) -> None:
         async def wait() -> None:
-            pool, go = Pool(1, 0.05), threading.Event()
+            pool, go = Pool(1, 1, 0.05), threading.Event()
             with pytest.raises(Overloaded, match="FRESNEL_TIMEOUT_S"):
                 await pool.run(go.wait)
             go.set()
@@ -212,7 +212,7 @@ class TestPool:
     def test_a_failure_is_passed_on(self) -> None:
         async def fail() -> None:
             with pytest.raises(ZeroDivisionError):
-                await Pool(1, 1.0).run(lambda: 1 // 0)
+                await Pool(1, 0, 1.0).run(lambda: 1 // 0)
 
         asyncio.run(fail())
 

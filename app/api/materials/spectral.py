@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from fastapi import APIRouter, Query
@@ -80,6 +80,8 @@ class SpectrumQuery(RangeQuery, TableQuery):
 
 class MapQuery(FrontQuery, RangeQuery, TableQuery):
     """Reflectance over angle and wavelength; from 380 to 780 nm unless a range is given."""
+
+    cells: ClassVar[tuple[str, ...]] = ("steps", "samples")
 
     quantity: Literal["R", "Rs", "Rp"] = Field("R", description="Unpolarized, s or p.")
     samples: Count = Field(

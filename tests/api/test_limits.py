@@ -1,0 +1,239 @@
+"""What a client may send, how slowly, and how much of the server it may have."""
+
+from __future__ import annotations
+
+import json
+import resource
+import socket
+import statistics
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import ExitStack, suppress
+
+import pytest
+
+from app.api.problems import MEDIA_TYPE
+from app.main import create_app
+from app.server import allow_open_files
+from app.settings import Settings
+from tests.api.raw import Answer, send
+from tests.api.wire import Address, exchange, get, received, served
+
+API = b"/api/v1"
+HEALTH = API + b"/health"
+TIGHT = Settings(
+    max_target_bytes=200,
+    max_header_bytes=1000,
+    max_connections=50,
+    read_timeout_s=0.3,
+    write_timeout_s=0.3,
+)
+
+
+@pytest.fixture(scope="module")
+def tight() -> Iterator[Address]:
+    with served(settings=TIGHT) as address:
+        yield address
+
+
+def refused(answer: Answer, status: int, setting: str) -> None:
+    """Assert that this is a problem which names the setting."""
+    assert answer.status == status
+    assert answer.headers["content-type"] == MEDIA_TYPE
+    assert answer.headers["access-control-allow-origin"] == "*"
+    assert answer.headers["connection"] == "close"
+    assert int(answer.headers["content-length"]) == len(answer.body)
+    told = json.loads(answer.body)
+    assert told["status"] == status
+    assert setting in told["detail"]
+    assert setting.removeprefix("FRESNEL_").lower() in Settings.model_fields
+
+
+class TestSize:
+    def test_a_target_may_be_as_long_as_the_limit(self, tight: Address) -> None:
+        path = API + b"/snell?n_t="
+        longest = path + b"1" * (200 - len(path))
+        assert get(tight, longest).status == 422
+        refused(get(tight, longest + b"1"), 414, "FRESNEL_MAX_TARGET_BYTES")
+
+    def test_headers_together(self, tight: Address) -> None:
+        def with_headers(count: int) -> Answer:
+            more = b"".join(b"X%03d: " % i + b"v" * 90 + b"\r\n" for i in range(count))
+            head = b"GET " + HEALTH + b" HTTP/1.1\r\nHost: test\r\nConnection: close\r\n"
+            return exchange(tight, head + more + b"\r\n")
+
+        assert with_headers(9).status == 200
+        refused(with_headers(11), 431, "FRESNEL_MAX_HEADER_BYTES")
+
+    @pytest.mark.parametrize("start", [b"GET " + HEALTH + b" HTTP/1.1\r\nX: ", b"GET "])
+    def test_what_never_ends_is_not_read_for_ever(self, tight: Address, start: bytes) -> None:
+        with socket.create_connection(tight, timeout=10) as connection:
+            connection.sendall(start)
+            answer = None
+            for _ in range(100):
+                connection.sendall(b"/" * 100)
+                time.sleep(0.001)
+                connection.settimeout(0.001)
+                try:
+                    if connection.recv(1, socket.MSG_PEEK):
+                        connection.settimeout(10)
+                        answer = received(connection)
+                        break
+                except TimeoutError:
+                    continue
+        assert answer is not None
+        setting = "HEADER" if b"HTTP" in start else "TARGET"
+        refused(answer, 431 if b"HTTP" in start else 414, f"FRESNEL_MAX_{setting}_BYTES")
+
+    @pytest.mark.parametrize("target", [b"/curves?samples=12", b"/curves?samples=12&format=csv"])
+    def test_samples(self, target: bytes) -> None:
+        app = create_app(Settings(max_samples=11))
+        assert send(app, API + b"/curves?samples=11").status == 200
+        (error,) = send(app, API + target).json()["errors"]
+        assert (error["parameter"], error["value"]) == ("samples", 12)
+        assert "11 (FRESNEL_MAX_SAMPLES)" in error["message"]
+
+    @pytest.mark.parametrize(
+        ("target", "parameter"),
+        [
+            (b"/errors/map?x_steps=11&y_steps=10", "x_steps"),
+            (b"/albedo/map?n_steps=11&k_steps=10", "n_steps"),
+            (b"/materials/Au/map?steps=11&samples=10", "steps"),
+        ],
+    )
+    def test_cells(self, target: bytes, parameter: str) -> None:
+        app = create_app(Settings(max_cells=100))
+        assert send(app, API + target.replace(b"11", b"10")).status == 200
+        (error,) = send(app, API + target).json()["errors"]
+        assert error["parameter"] == parameter
+        assert "100 (FRESNEL_MAX_CELLS)" in error["message"]
+
+    def test_limits_above_the_contract_do_not_widen_it(self) -> None:
+        app = create_app(Settings(max_samples=10**6, max_cells=10**7))
+        assert send(app, API + b"/curves?samples=20002").status == 422
+        assert send(app, API + b"/errors/map?x_steps=501&y_steps=501").status == 422
+
+
+class TestTime:
+    @pytest.mark.parametrize(
+        "start",
+        [
+            b"GET " + HEALTH + b" HTTP/1.1\r\nHost: te",
+            b"G",
+            b"POST " + HEALTH.replace(b"health", b"evaluate")
+            + b" HTTP/1.1\r\nHost: test\r\nContent-Length: 100\r\n",
+        ],
+    )  # fmt: skip
+    def test_a_request_that_does_not_go_on(self, tight: Address, start: bytes) -> None:
+        begun = time.monotonic()
+        refused(exchange(tight, start), 408, "FRESNEL_READ_TIMEOUT_S")
+        assert 0.25 < time.monotonic() - begun < 5.0
+
+    def test_a_request_in_drops_takes_no_longer(self, tight: Address) -> None:
+        """One byte at a time does not count as going on."""
+        begun = time.monotonic()
+        with socket.create_connection(tight, timeout=10) as connection:
+            connection.sendall(b"GET " + HEALTH + b" HTTP/1.1\r\nX: ")
+            with suppress(ConnectionResetError, BrokenPipeError):
+                for _ in range(100):
+                    connection.sendall(b"x")
+                    time.sleep(0.05)
+        assert time.monotonic() - begun < 4.0
+
+    def test_a_connection_that_says_nothing_is_closed_silently(self, tight: Address) -> None:
+        with socket.create_connection(tight, timeout=10) as connection:
+            assert connection.recv(1000) == b""
+
+    def test_an_answer_that_is_not_read_is_given_up(self, tight: Address) -> None:
+        target = API + b"/curves?samples=20001&models=exact,schlick&phase=true&refraction=true"
+        expected = len(get(tight, target).body)
+        assert expected > 2_000_000
+        with socket.socket() as connection:
+            connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+            connection.connect(tight)
+            connection.sendall(b"GET " + target + b" HTTP/1.1\r\nHost: test\r\n\r\n")
+            time.sleep(2.0)
+            connection.settimeout(10)
+            taken = 0
+            with suppress(ConnectionResetError):
+                while part := connection.recv(1_000_000):
+                    taken += len(part)
+        assert taken < expected
+
+    def test_a_slow_reader_gets_all_of_it(self, tight: Address) -> None:
+        target = API + b"/curves?samples=20001&models=exact,schlick&phase=true&refraction=true"
+        with socket.create_connection(tight, timeout=10) as connection:
+            connection.sendall(
+                b"GET " + target + b" HTTP/1.1\r\nHost: test\r\nConnection: close\r\n\r\n"
+            )
+            taken = 0
+            while part := connection.recv(100_000):
+                taken += len(part)
+                time.sleep(0.03)
+        assert taken > len(get(tight, target).body)
+
+
+def slow(address: Address) -> socket.socket:
+    """Open a connection and send the beginning of a request."""
+    connection = socket.create_connection(address, timeout=10)
+    connection.sendall(b"GET " + HEALTH + b" HTTP/1.1\r\nHost: test\r\nX-Slow: ")
+    return connection
+
+
+class TestManyConnections:
+    def test_one_more_than_the_most_is_told_so(self) -> None:
+        with (
+            served(settings=Settings(max_connections=5)) as address,
+            ExitStack() as held,
+        ):
+            for _ in range(5):
+                held.enter_context(slow(address))
+            time.sleep(0.2)
+            answer = exchange(address, b"")
+            refused(answer, 503, "FRESNEL_MAX_CONNECTIONS")
+            assert int(answer.headers["retry-after"]) >= 1
+
+    def test_two_thousand_slow_ones_do_not_starve_others(self) -> None:
+        """`/health` answers within 100 ms, the median of 50."""
+        soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+        allow_open_files(2 * 2200)
+        if resource.getrlimit(resource.RLIMIT_NOFILE)[0] < 2 * 2100:
+            pytest.skip("this system does not let a process open so many files")
+        try:
+            with served() as address, ExitStack() as held:
+                for _ in range(2000):
+                    held.enter_context(slow(address))
+                times = []
+                for _ in range(50):
+                    begun = time.perf_counter()
+                    assert get(address, HEALTH).status == 200
+                    times.append(time.perf_counter() - begun)
+                assert statistics.median(times) < 0.1
+        finally:
+            resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
+
+    def test_large_computations_do_not_hold_up_the_health_check(self) -> None:
+        target = API + b"/errors/map?x=n_t&y=k_t&metric=rms&x_steps=400&y_steps=%d"
+        with served() as address:
+            asking = [
+                threading.Thread(target=get, args=(address, target % (400 + i))) for i in range(3)
+            ]
+            for thread in asking:
+                thread.start()
+            time.sleep(0.1)
+            times: list[float] = []
+            while any(thread.is_alive() for thread in asking) and len(times) < 50:
+                begun = time.perf_counter()
+                assert get(address, HEALTH).status == 200
+                times.append(time.perf_counter() - begun)
+            for thread in asking:
+                thread.join()
+        assert len(times) > 5, "they were done before anybody asked"
+        assert statistics.median(times) < 0.1
+
+
+def test_files_that_may_be_open_are_never_made_fewer() -> None:
+    before = resource.getrlimit(resource.RLIMIT_NOFILE)
+    allow_open_files(1)
+    assert resource.getrlimit(resource.RLIMIT_NOFILE) == before
