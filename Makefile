@@ -10,7 +10,7 @@ BROWSERS := chromium chromium-browser google-chrome-stable google-chrome
 export PATH := $(CURDIR)/$(BIN):$(CURDIR)/node_modules/.bin:$(PATH)
 
 .NOTPARALLEL:
-.PHONY: help run test format lint types unit browser bench lock vendor readme pictures chromium glslang clean
+.PHONY: help run test format lint types unit browser bench lock audit vendor readme pictures chromium glslang clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -53,6 +53,10 @@ lock: $(BIN)/python ## recompute the hash-locked requirement files from pyprojec
 	$(COMPILE) pyproject.toml --group build -o requirements.lock
 	$(COMPILE) pyproject.toml --extra arrow --group build --group test -c requirements.lock -o requirements-test.lock
 	$(COMPILE) --group node -o requirements-node.lock
+
+audit: $(BIN)/python ## look the locked dependencies up among the known vulnerabilities
+	$(INSTALL) pip-audit
+	$(BIN)/pip-audit --require-hashes --disable-pip -r requirements.lock
 
 vendor: $(VENV)/test.stamp node_modules/stamp ## refill static/vendor from the npm packages
 	python tools/vendor.py

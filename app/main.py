@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from fastapi import APIRouter, FastAPI
 from starlette.types import ASGIApp
 
@@ -37,7 +39,7 @@ from app.observe.route import metrics_router
 from app.optics.registry import Registry, default_registry
 from app.page import Page, SecurityHeaders
 from app.pool import Pool
-from app.routing import Fallback, HeadAsGet, OpenToOtherPages
+from app.routing import BodyLimit, Fallback, HeadAsGet, KnownHosts, OpenToOtherPages
 from app.settings import Settings
 
 _DESCRIPTION = """
@@ -49,9 +51,12 @@ Every error is an `application/problem+json` (RFC 9457) that names the parameter
 is allowed; nothing is clamped, guessed or ignored.
 """
 
+_PROBED = (f"{PREFIX}/health", "/metrics")
+"""Paths that are asked by address, not by name."""
+
 
 class _Application(FastAPI):
-    """FastAPI inside of layers that see every answer, those to crashes included."""
+    """FastAPI inside of layers that see every answer, its schema with what a problem looks like."""
 
     def build_middleware_stack(self) -> ASGIApp:
         settings: Settings = self.state.settings
@@ -59,6 +64,12 @@ class _Application(FastAPI):
         access_log = AccessLog() if settings.access_log else None
         inner = drain.around(super().build_middleware_stack())
         return Observed(inner, self.state.metrics, access_log)
+
+    def openapi(self) -> dict[str, Any]:
+        """Describe the API."""
+        if self.openapi_schema is None:
+            super().openapi()["components"]["schemas"] |= problems.schemas()
+        return super().openapi()
 
 
 def create_app(settings: Settings | None = None, registry: Registry | None = None) -> FastAPI:
@@ -81,10 +92,8 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         docs_url=None,  # the page at /docs is served with the other files, from this server alone
         redoc_url=None,
         responses={
-            "4XX": {
-                "description": "What is wrong with the request, and what would be right.",
-                "content": {problems.MEDIA_TYPE: {"schema": problems.Problem.model_json_schema()}},
-            }
+            "4XX": problems.problem_as("What is wrong with the request, and what would be right."),
+            "5XX": problems.problem_as("The server failed, or has no time for this now."),
         },
     )
     app.state.settings = settings
@@ -110,6 +119,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     ]
     routers += [claims.router(RouteTable(routers))]
     problems.install(app)
+    app.add_middleware(BodyLimit, max_bytes=settings.max_body_bytes)
     app.add_middleware(OpenToOtherPages, prefixes=(f"{PREFIX}/", "/openapi.json"))
     app.add_middleware(SecurityHeaders)
     app.add_middleware(HeadAsGet)
@@ -121,6 +131,8 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         pool=pool,
         settings=settings,
     )
+    if settings.allowed_hosts != "*":
+        app.add_middleware(KnownHosts, hosts=settings.allowed_hosts.split(","), open_to_all=_PROBED)
     for router in routers:
         app.include_router(router, prefix=PREFIX)
     app.include_router(metrics_router())

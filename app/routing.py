@@ -1,10 +1,18 @@
-"""How requests reach their route: the page after all of the API, HEAD by the way of GET."""
+"""How requests reach their route: which hosts and origins, HEAD by the way of GET, the page last."""
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable
+
+from starlette.datastructures import Headers
 from starlette.middleware.cors import CORSMiddleware
+from starlette.requests import Request
+from starlette.responses import Response
 from starlette.routing import Match, Mount
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from app.api.problems import BodyTooLong, problem_of, problem_response
 
 
 class Fallback(Mount):
@@ -41,6 +49,93 @@ class HeadAsGet:
         scope.update({key: inner[key] for key in ("route", "path_params") if key in inner})
 
 
+class BodyLimit:
+    """ASGI middleware that bounds the bodies of requests, by what is announced and what comes.
+
+    Starlette has one whose answer is plain text.
+    """
+
+    def __init__(self, app: ASGIApp, max_bytes: int) -> None:
+        self.app = app
+        self.max_bytes = max_bytes
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Pass the request on, with as much of its body as may come."""
+        if scope["type"] != "http" or scope["method"] in ("GET", "HEAD"):
+            await self.app(scope, receive, send)
+            return
+        length = next((v for name, v in scope["headers"] if name == b"content-length"), b"")
+        if length.isdigit() and int(length) > self.max_bytes:
+            refusal = problem_of(Request(scope), BodyTooLong(self.max_bytes))
+            await refusal(scope, receive, send)
+            return
+        received = 0
+
+        async def receive_within_limit() -> Message:
+            nonlocal received
+            message = await receive()
+            received += len(message.get("body", b""))
+            if received > self.max_bytes:
+                raise BodyTooLong(self.max_bytes)
+            return message
+
+        await self.app(scope, receive_within_limit, send)
+
+
+class KnownHosts:
+    """ASGI middleware that answers for some hosts only: an answer to another may be a trap.
+
+    Parameters
+    ----------
+    app
+        The application.
+    hosts
+        Their names, without a port; `*.example.org` stands for all below `example.org`.
+    open_to_all
+        Beginnings of paths that are answered under any name.
+    """
+
+    def __init__(self, app: ASGIApp, hosts: Iterable[str], open_to_all: tuple[str, ...]) -> None:
+        self.app = app
+        self.open_to_all = open_to_all
+        names = [host.strip().lower() for host in hosts]
+        self.exact = {name for name in names if not name.startswith("*.")}
+        self.endings = tuple(name[1:] for name in names if name.startswith("*."))
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Pass the request on if it was meant for this server."""
+        if scope["type"] == "http" and not scope["path"].startswith(self.open_to_all):
+            sent = Headers(scope=scope).get("host", "")
+            name = re.sub(r":\d*$", "", sent).lower()
+            if name not in self.exact and not name.endswith(self.endings or ("\0",)):
+                detail = f"{sent[:200]!r} is not answered for here (FRESNEL_ALLOWED_HOSTS)"
+                await problem_response(Request(scope), 421, detail)(scope, receive, send)
+                return
+        await self.app(scope, receive, send)
+
+
+class _Cors(CORSMiddleware):
+    """Starlette's, with a problem where it refuses a preflight in plain text."""
+
+    def preflight_response(self, request_headers: Headers) -> Response:
+        """Answer a preflight."""
+        response = super().preflight_response(request_headers)
+        if response.status_code < 400:
+            return response
+        said = bytes(response.body).decode()
+        return _Refusal(f"{said}; allowed from any origin: {', '.join(self.allow_methods)}")
+
+
+class _Refusal(Response):
+    def __init__(self, detail: str) -> None:
+        super().__init__(status_code=400)
+        self.detail = detail
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        problem = problem_response(Request(scope), self.status_code, self.detail)
+        await problem(scope, receive, send)
+
+
 class OpenToOtherPages:
     """ASGI middleware that opens addresses to any page, and leaves all others alone.
 
@@ -50,7 +145,7 @@ class OpenToOtherPages:
     def __init__(self, app: ASGIApp, prefixes: tuple[str, ...]) -> None:
         self.app = app
         self.prefixes = prefixes
-        self.opened = CORSMiddleware(
+        self.opened = _Cors(
             app,
             allow_origins=["*"],
             allow_methods=["GET", "HEAD", "POST"],

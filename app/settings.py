@@ -75,5 +75,5 @@ class Settings(BaseSettings):
     allowed_hosts: str = Field(
         "*",
         description="Host names that are answered for, separated by commas; *.example.org for all "
-        "below one, * for all.",
+        "below one, * for all. Health and metrics are answered under any name.",
     )

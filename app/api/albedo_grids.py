@@ -11,7 +11,7 @@ import numpy as np
 from fastapi import APIRouter, Query
 from pydantic import Field
 
-from app.api.albedo_schemas import MapOut, SweepOut
+from app.api.albedo_schemas import AlbedoMapOut, SweepOut
 from app.api.answers import Answer, Large
 from app.api.model_parameters import (
     model_arguments,
@@ -322,7 +322,7 @@ def router(registry: Registry) -> APIRouter:
             return respond(query, fits, models)
         return Large(respond, query, fits, models)
 
-    @routes.get("/albedo/map", response_model=MapOut, summary="Albedos over n_t and k_t")
+    @routes.get("/albedo/map", response_model=AlbedoMapOut, summary="Albedos over n_t and k_t")
     def albedo_map(query: Annotated[MapQuery, Query()]) -> Answer:
         fit = None if query.fit is None else find_fit(query.fit, "fit")
         refuse_map(query, fit)

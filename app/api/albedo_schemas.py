@@ -17,7 +17,7 @@ class DomainOut(BaseModel):
     kappa: tuple[float, float]
 
 
-class ClaimOut(BaseModel):
+class FitClaimOut(BaseModel):
     """What a fit was said to achieve in a domain, and what it does."""
 
     domain: DomainOut
@@ -40,7 +40,7 @@ class FitOut(BaseModel):
     latex: str
     reference: str
     note: str
-    claims: list[ClaimOut]
+    claims: list[FitClaimOut]
 
 
 class FitsOut(BaseModel):
@@ -144,7 +144,7 @@ class BoxOut(BaseModel):
     k_t: tuple[float, float]
 
 
-class MapOut(BaseModel):
+class AlbedoMapOut(BaseModel):
     """A grid of albedos or of a fit's errors over n_t and k_t."""
 
     convention: str

@@ -21,7 +21,6 @@ from app.api.model_parameters import (
 from app.api.params import InterfaceQuery, SamplesQuery, TableQuery
 from app.api.responses import (
     CONVENTION,
-    CSV_AS_WELL,
     csv_body,
     interface_json,
     json_body,
@@ -123,7 +122,6 @@ def router(registry: Registry) -> APIRouter:
     @routes.get(
         "/curves",
         response_model=CurvesOut,
-        responses=CSV_AS_WELL,
         summary="Reflectance over the angle",
     )
     def curves(query: Annotated[Query_, Query()]) -> Answer:  # type: ignore[valid-type]

@@ -14,7 +14,7 @@ from pydantic import BaseModel, Field
 from app.api.answers import Answer, Large
 from app.api.params import Count, Number, QueryModel, TableQuery
 from app.api.problems import BadParameters, MissingResource, ParameterError
-from app.api.responses import CSV_AS_WELL, csv_body, json_body
+from app.api.responses import csv_body, json_body
 from app.api.route import QueryRoute
 from app.api.schemas import ParameterOut
 from app.optics.formula import Formula
@@ -111,7 +111,7 @@ class FormulasOut(BaseModel):
     formulas: list[FormulaOut]
 
 
-class AxisOut(BaseModel):
+class FormulaAxisOut(BaseModel):
     """What runs along an axis."""
 
     name: str
@@ -136,9 +136,9 @@ class FormulaCurveOut(BaseModel):
     n_i: float
     n_t: float
     k_t: float
-    x: AxisOut
+    x: FormulaAxisOut
     at: list[float]
-    y: AxisOut
+    y: FormulaAxisOut
     series: list[SeriesOut]
 
 
@@ -245,7 +245,6 @@ def router(registry: Registry) -> APIRouter:
     @routes.get(
         "/formulas/{formula_id}/curve",
         response_model=FormulaCurveOut,
-        responses=CSV_AS_WELL,
         summary="A formula over its own abscissa",
     )
     def curve(formula_id: str, query: Annotated[FormulaCurveQuery, Query()]) -> Answer:

@@ -11,6 +11,7 @@ import orjson
 from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
 from pydantic import BaseModel, Field
+from pydantic.json_schema import models_json_schema
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
 
@@ -27,6 +28,7 @@ API_HEADERS = [
 ]
 """On every answer of the API, errors included."""
 
+_COMPONENT = "#/components/schemas/{model}"
 MOST_ERRORS = 20
 """Errors that one answer lists."""
 
@@ -41,6 +43,14 @@ class ParameterError(TypedDict):
     message: str
 
 
+class ParameterProblem(BaseModel):
+    """What is wrong with one parameter."""
+
+    parameter: str = Field(description="Its name, as it is spelled in the address.")
+    value: Any = Field(description="What was given.")
+    message: str = Field(description="What is wrong, and what is allowed.")
+
+
 class Problem(BaseModel):
     """An error, as RFC 9457 (application/problem+json) lays it out."""
 
@@ -49,9 +59,20 @@ class Problem(BaseModel):
     status: int = Field(description="HTTP status.")
     detail: str = Field(description="What is wrong and what would be right.")
     instance: str = Field(description="Path of the request.")
-    errors: list[dict[str, Any]] = Field(
-        description="One entry an offending parameter: {parameter, value, message}."
-    )
+    errors: list[ParameterProblem] = Field(description="One entry an offending parameter.")
+
+
+def problem_as(description: str) -> dict[str, Any]:
+    """Describe a problem in OpenAPI; `schemas` holds what it refers to."""
+    schema = {"$ref": _COMPONENT.format(model=Problem.__name__)}
+    return {"description": description, "content": {MEDIA_TYPE: {"schema": schema}}}
+
+
+def schemas() -> dict[str, Any]:
+    """The components of OpenAPI that describe a problem."""
+    _, told = models_json_schema([(Problem, "serialization")], ref_template=_COMPONENT)
+    defined: dict[str, Any] = told["$defs"]
+    return defined
 
 
 def problem_response(
@@ -101,6 +122,14 @@ class MissingResource(Exception):
     def __init__(self, cause: OpticsError) -> None:
         super().__init__(cause)
         self.cause = cause
+
+
+class BodyTooLong(HTTPException):
+    """A body above the limit; what is left of it is not read."""
+
+    def __init__(self, max_bytes: int) -> None:
+        detail = f"the body of a request may have {max_bytes} bytes (FRESNEL_MAX_BODY_BYTES)"
+        super().__init__(413, detail, {"Connection": "close"})
 
 
 def unknown_parameter(name: str, value: object, known: Sequence[str]) -> ParameterError:

@@ -25,12 +25,6 @@ CONVENTION = (
 _LARGEST_EXACT_POWER = 22
 
 
-CSV_AS_WELL: dict[int | str, dict[str, Any]] = {
-    200: {"content": {"text/csv": {"schema": {"type": "string"}}}}
-}
-"""What OpenAPI says of a route that answers `format=csv` too."""
-
-
 def round_significant(values: Array, digits: int) -> Array:
     """Round to `digits` significant digits, to the very double that those digits spell."""
     if digits >= 17:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Coroutine, Mapping
 from itertools import islice
-from typing import Any
+from typing import Any, get_args
 from urllib.parse import parse_qsl
 
 from annotated_types import Ge, Le
@@ -19,6 +19,9 @@ from app.api.answers import Answer
 from app.api.params import QueryModel
 from app.api.problems import MOST_ERRORS, BadParameters, ParameterError, unknown_parameter
 
+_NOT_MODIFIED = {"description": "The client has the answer: If-None-Match names its ETag."}
+_CSV_AS_WELL = {"content": {"text/csv": {"schema": {"type": "string"}}}}
+
 
 class QueryRoute(APIRoute):
     """A GET route whose endpoint takes path parameters and one query model, and is a pure function.
@@ -28,6 +31,19 @@ class QueryRoute(APIRoute):
     Python. OpenAPI is FastAPI's own, from the endpoint's signature. Requests are answered by
     `app.front`, before FastAPI's routing: what an endpoint returns says all there is to be sent.
     """
+
+    def __init__(
+        self,
+        path: str,
+        endpoint: Callable[..., Any],
+        *,
+        responses: Mapping[int | str, dict[str, Any]] | None = None,
+        **options: Any,
+    ) -> None:
+        told = {304: _NOT_MODIFIED, **(responses or {})}
+        super().__init__(path, endpoint, responses=told, **options)
+        if "format" in self._fields and "csv" in get_args(self._fields["format"].annotation):
+            self.responses[200] = _CSV_AS_WELL
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
         """Read the endpoint's signature."""

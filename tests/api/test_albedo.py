@@ -14,7 +14,7 @@ import httpx
 import numpy as np
 import pytest
 
-from app.api.albedo_schemas import AlbedoOut, CoatOut, FitOut, FitsOut, MapOut, SweepOut
+from app.api.albedo_schemas import AlbedoMapOut, AlbedoOut, CoatOut, FitOut, FitsOut, SweepOut
 from app.main import create_app
 from app.optics.albedo import FITS, albedo, coat_split, flatland_albedo
 from app.optics.interface import Interface
@@ -220,7 +220,7 @@ def test_map_of_a_fits_error(get: Get) -> None:
         k_minimum=3,
         k_steps=4,
     ).json()
-    MapOut.model_validate(answer)
+    AlbedoMapOut.model_validate(answer)
     values, fit = np.array(answer["values"]), FITS["deon_2019_rg"]
     assert values.shape == (4, 5)
     assert answer["show"] == "error"
@@ -252,7 +252,7 @@ def test_map_shows_what_is_asked(get: Get) -> None:
 
 def test_map_holds_null_where_a_fit_is_undefined(get: Get) -> None:
     answer = get("/albedo/map", fit="large_k", n_steps=3, k_steps=3).json()
-    MapOut.model_validate(answer)
+    AlbedoMapOut.model_validate(answer)
     assert answer["values"][0] == [None] * 3  # k = 0
     assert answer["largest"]["k_t"] == 4.0
     assert answer["largest_in_domain"] is None

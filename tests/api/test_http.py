@@ -166,6 +166,20 @@ class TestOtherOrigins:
         assert allowed.headers["access-control-allow-methods"] == "GET, HEAD, POST"
         refused = ask(app, SNELL, "OPTIONS", Origin=origin, Access_Control_Request_Method="DELETE")
         assert refused.status == 400
+        assert refused.headers["content-type"] == MEDIA_TYPE
+        assert "GET, HEAD, POST" in refused.json()["detail"]
+        assert refused.json()["instance"] == "/api/v1/snell"
+
+    def test_preflight_of_a_batch_in_json_passes(self, app: FastAPI) -> None:
+        wanted = {"method": "POST", "headers": "content-type"}
+        named = {f"Access_Control_Request_{k.title()}": v for k, v in wanted.items()}
+        allowed = ask(app, API + b"/evaluate", "OPTIONS", Origin="https://example.org", **named)
+        assert allowed.status == 200
+
+    def test_a_cache_may_hand_any_answer_to_any_page(self, app: FastAPI) -> None:
+        """What is kept from a request without an origin serves one that has it."""
+        for target in CACHED:
+            assert ask(app, target).headers["access-control-allow-origin"] == "*"
 
 
 class TestSecurity:
@@ -187,6 +201,40 @@ class TestSecurity:
         assert answer.headers["referrer-policy"] == "no-referrer"
         assert answer.headers["cross-origin-opener-policy"] == "same-origin"
         assert "camera=()" in answer.headers["permissions-policy"]
+
+    @pytest.mark.parametrize("target", [*CACHED, API + b"/health", API + b"/nope", b"/", b"/docs/"])
+    def test_no_cookies(self, app: FastAPI, target: bytes) -> None:
+        assert "set-cookie" not in ask(app, target).headers
+
+
+class TestHosts:
+    APP = create_app(Settings(allowed_hosts="fresnel.example, *.below.example, ::1"))
+
+    @pytest.mark.parametrize(
+        "host",
+        ["fresnel.example", "FRESNEL.example:8000", "a.below.example", "a.b.below.example:1"],
+    )
+    @pytest.mark.parametrize("target", [SNELL, b"/", API + b"/health"])
+    def test_known_ones_are_answered_for(self, host: str, target: bytes) -> None:
+        assert ask(self.APP, target, Host=host).status == 200
+
+    @pytest.mark.parametrize(
+        "host",
+        ["", "other.example", "below.example", "fresnel.example.evil", "xfresnel.example", "\0"],
+    )
+    @pytest.mark.parametrize("target", [SNELL, b"/", b"/nope"])
+    def test_others_are_not(self, host: str, target: bytes) -> None:
+        answer = ask(self.APP, target, Host=host)
+        assert answer.status == 421
+        assert answer.headers["content-type"] == MEDIA_TYPE
+        assert "FRESNEL_ALLOWED_HOSTS" in answer.json()["detail"]
+
+    @pytest.mark.parametrize("target", [API + b"/health", b"/metrics"])
+    def test_probes_ask_by_address(self, target: bytes) -> None:
+        assert ask(self.APP, target, Host="10.0.0.7:8000").status == 200
+
+    def test_all_are_answered_for_unless_set(self, app: FastAPI) -> None:
+        assert ask(app, SNELL, Host="anything.example").status == 200
 
 
 class TestHead:

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from contextlib import ExitStack, suppress
 
 import pytest
+from fastapi import Request
 
 from app.api.problems import MEDIA_TYPE
 from app.main import create_app
@@ -113,6 +114,67 @@ class TestSize:
         app = create_app(Settings(max_samples=10**6, max_cells=10**7))
         assert send(app, API + b"/curves?samples=20002").status == 422
         assert send(app, API + b"/errors/map?x_steps=501&y_steps=501").status == 422
+
+
+@pytest.fixture(scope="module")
+def counting() -> Iterator[Address]:
+    settings = Settings(max_body_bytes=1000)
+    app = create_app(settings)
+
+    async def count(request: Request) -> dict[str, int]:
+        return {"bytes": len(await request.body())}
+
+    app.router.add_api_route("/count", count, methods=["POST"])
+    app.router.routes.insert(0, app.router.routes.pop())
+    with served(app, settings) as where:
+        yield where
+
+
+class TestBody:
+    """No route of ours is needed to see that a body is bounded on all of them."""
+
+    @staticmethod
+    def post(address: Address, headers: bytes, body: bytes) -> Answer:
+        head = b"POST /count HTTP/1.1\r\nHost: test\r\n" + headers
+        return exchange(address, head + b"\r\n" + body)
+
+    def test_the_longest_is_taken(self, counting: Address) -> None:
+        close = b"Connection: close\r\n"
+        answer = self.post(counting, close + b"Content-Length: 1000\r\n", b"x" * 1000)
+        assert (answer.status, answer.json()) == (200, {"bytes": 1000})
+
+    @pytest.mark.parametrize(
+        ("headers", "body"),
+        [
+            (b"Content-Length: 1001\r\n", b"x" * 1001),
+            (b"Content-Length: 1001\r\n", b""),  # refused before it comes
+            (b"Content-Length: 10000000000\r\n", b"x"),
+            (b"Transfer-Encoding: chunked\r\n", b"3e9\r\n" + b"x" * 1001 + b"\r\n0\r\n\r\n"),
+            (b"Transfer-Encoding: chunked\r\n", 1001 * b"1\r\nx\r\n"),
+        ],
+        ids=["sent", "announced", "huge", "in one chunk", "in many chunks"],
+    )
+    def test_a_longer_one_is_not(self, counting: Address, headers: bytes, body: bytes) -> None:
+        refused(self.post(counting, headers, body), 413, "FRESNEL_MAX_BODY_BYTES")
+
+
+class TestProxies:
+    """Who the client is, only trusted proxies may say; it shows in how the page redirects."""
+
+    TARGET = (
+        b"GET /docs HTTP/1.1\r\nHost: test\r\nConnection: close\r\n"
+        b"X-Forwarded-Proto: https\r\nX-Forwarded-For: 203.0.113.7\r\n\r\n"
+    )
+
+    @pytest.mark.parametrize(
+        ("trusted", "scheme"),
+        [("", "http"), ("192.0.2.1", "http"), ("127.0.0.1", "https"), ("127.0.0.0/8", "https")],
+    )
+    def test_only_trusted_ones(self, trusted: str, scheme: str) -> None:
+        with served(settings=Settings(trusted_proxies=trusted)) as address:
+            answer = exchange(address, self.TARGET)
+        assert answer.status == 307
+        assert answer.headers["location"] == f"{scheme}://test/docs/"
 
 
 class TestTime:

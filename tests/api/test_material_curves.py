@@ -11,7 +11,7 @@ import httpx
 import numpy as np
 import pytest
 
-from app.api.materials.schemas import MapOut, MaterialCurvesOut, SpectrumOut
+from app.api.materials.schemas import MaterialCurvesOut, MaterialMapOut, SpectrumOut
 from app.api.presets import default_catalog
 from app.materials import appearance, color_curve, rgb_constants
 from app.materials.schema import Points
@@ -217,7 +217,7 @@ def test_seen_from_glass_all_is_reflected_beyond_the_critical_angle(ask: Ask) ->
 
 def test_a_row_of_the_map_is_a_curve(ask: Ask) -> None:
     answer = ask("/materials/Cu/map", steps=5, minimum_nm=400, maximum_nm=800, samples=31).json()
-    MapOut.model_validate(answer)
+    MaterialMapOut.model_validate(answer)
     curves = ask("/materials/Cu/curves", samples=31, rgb="false").json()["wavelengths"]
     assert answer["wavelength_nm"] == [curve["wavelength_nm"] for curve in curves]
     for row, curve in zip(answer["values"], curves, strict=True):

@@ -64,6 +64,45 @@ def test_routes_are_described(schema: dict[str, Any], path: str) -> None:
     assert "422" not in route["responses"], "FastAPI's own error shape is never sent"
 
 
+def test_schemas_have_names_of_their_own(schema: dict[str, Any]) -> None:
+    """FastAPI puts the module before names that two models share."""
+    assert [name for name in schema["components"]["schemas"] if "__" in name] == []
+
+
+def test_errors_are_problems_on_every_route(schema: dict[str, Any]) -> None:
+    for path, operations in schema["paths"].items():
+        for operation in operations.values():
+            for status in ("4XX", "5XX"):
+                content = operation["responses"][status]["content"]
+                reference = {"$ref": "#/components/schemas/Problem"}
+                assert content == {MEDIA_TYPE: {"schema": reference}}, path
+    problem = schema["components"]["schemas"]["Problem"]
+    (one,) = [problem["properties"]["errors"]["items"]]
+    assert one == {"$ref": "#/components/schemas/ParameterProblem"}
+    shape = schema["components"]["schemas"]["ParameterProblem"]
+    assert set(shape["required"]) == {"parameter", "value", "message"}
+
+
+def test_routes_tell_of_304_and_of_csv_where_they_answer_so(
+    app: FastAPI, schema: dict[str, Any]
+) -> None:
+    tables = 0
+    for path, operations in schema["paths"].items():
+        if "get" not in operations or not path.startswith(PREFIX):
+            continue
+        responses = operations["get"]["responses"]
+        assert "content" not in responses["304"], path
+        given = {p["name"]: p["schema"] for p in operations["get"].get("parameters", [])}
+        as_csv = "csv" in given.get("format", {}).get("enum", [])
+        assert ("text/csv" in responses["200"]["content"]) == as_csv, path
+        tables += as_csv
+        target = re.sub(r"\{material\}", "Au", path)
+        answer = send(app, target.encode() + (b"?format=csv" if as_csv else b""))
+        if as_csv and answer.status == 200:
+            assert answer.headers["content-type"].startswith("text/csv")
+    assert tables >= 8
+
+
 def test_operation_ids_differ(schema: dict[str, Any]) -> None:
     operations = [op for path in schema["paths"].values() for op in path.values()]
     assert all(set(path) <= {"get", "post"} for path in schema["paths"].values())

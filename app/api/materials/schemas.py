@@ -226,7 +226,7 @@ class FrontOut(Answer):
     incident: AboutOut | None
 
 
-class MapOut(Answer):
+class MaterialMapOut(Answer):
     """Reflectance over angle and wavelength."""
 
     material: AboutOut
@@ -264,7 +264,7 @@ class ChannelErrorOut(Answer):
     cosine_weighted_mean: float | None = Field(description="Signed: the error of the albedo.")
 
 
-class ErrorsOut(Answer):
+class RgbErrorsOut(Answer):
     """Errors of the three channels."""
 
     red: ChannelErrorOut
@@ -281,7 +281,7 @@ class RgbCurveOut(Answer):
     R_red: list[float | None]
     R_green: list[float | None]
     R_blue: list[float | None]
-    errors: ErrorsOut | None = Field(description="Null for the truth.")
+    errors: RgbErrorsOut | None = Field(description="Null for the truth.")
 
 
 class RgbOut(Answer):

@@ -19,7 +19,7 @@ from app.api.materials.queries import (
     unknown_k,
     visible_part,
 )
-from app.api.materials.schemas import MapOut, SpectrumOut
+from app.api.materials.schemas import MaterialMapOut, SpectrumOut
 from app.api.params import MAX_SAMPLES, Count, Number, QueryModel, TableQuery, wavelength
 from app.api.presets import default_catalog
 from app.api.responses import CONVENTION, csv_body, json_body
@@ -237,7 +237,7 @@ def add_spectrum_and_map(routes: APIRouter) -> None:
 
     @routes.get(
         "/materials/{material}/map",
-        response_model=MapOut,
+        response_model=MaterialMapOut,
         summary="Reflectance over angle and wavelength",
     )
     def theta_by_wavelength(material: str, query: Annotated[MapQuery, Query()]) -> Answer:
