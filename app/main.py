@@ -39,7 +39,7 @@ from app.observe.route import metrics_router
 from app.optics.registry import Registry, default_registry
 from app.page import Page, SecurityHeaders
 from app.pool import Pool
-from app.routing import BodyLimit, Fallback, HeadAsGet, KnownHosts, OpenToOtherPages
+from app.routing import Fallback, HeadAsGet, KnownHosts, OpenToOtherPages
 from app.settings import Settings
 
 _DESCRIPTION = """
@@ -115,11 +115,10 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         shaders.router(registry),
         lut.router(registry),
         formulas.router(registry),
-        evaluate.router(registry, pool, settings.body_bytes),
+        evaluate.router(registry, pool, settings.max_body_bytes),
     ]
     routers += [claims.router(RouteTable(routers))]
     problems.install(app)
-    app.add_middleware(BodyLimit, max_bytes=settings.max_body_bytes)
     app.add_middleware(OpenToOtherPages, prefixes=(f"{PREFIX}/", "/openapi.json"))
     app.add_middleware(SecurityHeaders)
     app.add_middleware(HeadAsGet)

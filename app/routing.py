@@ -12,7 +12,7 @@ from starlette.responses import Response
 from starlette.routing import Match, Mount
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.api.problems import BodyTooLong, problem_of, problem_response
+from app.api.problems import problem_response
 
 
 class Fallback(Mount):
@@ -47,39 +47,6 @@ class HeadAsGet:
         inner = {**scope, "method": "GET"}
         await self.app(inner, receive, send_without_body)
         scope.update({key: inner[key] for key in ("route", "path_params") if key in inner})
-
-
-class BodyLimit:
-    """ASGI middleware that bounds the bodies of requests, by what is announced and what comes.
-
-    Starlette has one whose answer is plain text.
-    """
-
-    def __init__(self, app: ASGIApp, max_bytes: int) -> None:
-        self.app = app
-        self.max_bytes = max_bytes
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass the request on, with as much of its body as may come."""
-        if scope["type"] != "http" or scope["method"] in ("GET", "HEAD"):
-            await self.app(scope, receive, send)
-            return
-        length = next((v for name, v in scope["headers"] if name == b"content-length"), b"")
-        if length.isdigit() and int(length) > self.max_bytes:
-            refusal = problem_of(Request(scope), BodyTooLong(self.max_bytes))
-            await refusal(scope, receive, send)
-            return
-        received = 0
-
-        async def receive_within_limit() -> Message:
-            nonlocal received
-            message = await receive()
-            received += len(message.get("body", b""))
-            if received > self.max_bytes:
-                raise BodyTooLong(self.max_bytes)
-            return message
-
-        await self.app(scope, receive_within_limit, send)
 
 
 class KnownHosts:

@@ -38,9 +38,6 @@ class Settings(BaseSettings):
     cache_bytes: int = Field(
         64_000_000, ge=0, description="Memory for finished answers of the API, in bytes."
     )
-    body_bytes: int = Field(
-        128_000_000, ge=1, description="Size of the largest body that `/evaluate` takes, in bytes."
-    )
     threads: int = Field(2, ge=1, description="How many large answers are computed at a time.")
     max_waiting: int = Field(32, ge=0, description="How many large answers wait to be computed.")
     timeout_s: float = Field(
@@ -48,7 +45,9 @@ class Settings(BaseSettings):
     )
     max_samples: int = Field(20_001, ge=2, description="Most angles of a curve.")
     max_cells: int = Field(250_000, ge=4, description="Most cells of a map.")
-    max_body_bytes: int = Field(128_000_000, ge=0, description="Longest body of a request.")
+    max_body_bytes: int = Field(
+        128_000_000, ge=1, description="Longest body of a request, in bytes."
+    )
     max_target_bytes: int = Field(
         16_384, ge=100, le=65_535, description="Longest path with its query, in bytes."
     )

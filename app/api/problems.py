@@ -124,14 +124,6 @@ class MissingResource(Exception):
         self.cause = cause
 
 
-class BodyTooLong(HTTPException):
-    """A body above the limit; what is left of it is not read."""
-
-    def __init__(self, max_bytes: int) -> None:
-        detail = f"the body of a request may have {max_bytes} bytes (FRESNEL_MAX_BODY_BYTES)"
-        super().__init__(413, detail, {"Connection": "close"})
-
-
 def unknown_parameter(name: str, value: object, known: Sequence[str]) -> ParameterError:
     """Describe a parameter that the endpoint does not take, with the nearest that it does."""
     if not known:

@@ -335,7 +335,7 @@ def test_kinds_that_are_not_there(post: Post) -> None:
 
 
 def test_limits() -> None:
-    small = poster(create_app(Settings(body_bytes=1000)))
+    small = poster(create_app(Settings(max_body_bytes=1000)))
     assert small([{}]).status_code == 200
     refused = small([{"n_t": 1.5}] * 100)
     assert refused.status_code == 413

@@ -54,7 +54,7 @@ class Bodies:
 
     def _too_large(self) -> HTTPException:
         detail = (
-            f"the body is larger than {self._limit} bytes (FRESNEL_BODY_BYTES); "
+            f"the body is larger than {self._limit} bytes (FRESNEL_MAX_BODY_BYTES); "
             "send an Arrow stream, which takes less, or several calls"
         )
-        return HTTPException(413, detail)
+        return HTTPException(413, detail, {"Connection": "close"})  # the rest is not read
