@@ -18,6 +18,7 @@ from app.api import (
     error_grids,
     errors,
     evaluate,
+    figures,
     formulas,
     health,
     lut,
@@ -117,7 +118,8 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         formulas.router(registry),
         evaluate.router(registry, pool, settings.max_body_bytes),
     ]
-    routers += [claims.router(RouteTable(routers))]
+    table = RouteTable(routers)
+    routers += [claims.router(table), figures.router(table, settings.static_dir)]
     problems.install(app)
     app.add_middleware(OpenToOtherPages, prefixes=(f"{PREFIX}/", "/openapi.json"))
     app.add_middleware(SecurityHeaders)

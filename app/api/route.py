@@ -60,6 +60,11 @@ class QueryRoute(APIRoute):
             self._fields = {info.alias or name: info for name, info in model.model_fields.items()}
         return _answered_in_front
 
+    @property
+    def query_model(self) -> type[QueryModel] | None:
+        """What the query is read into; None for a route without parameters."""
+        return self._model
+
     def read(self, query: bytes) -> QueryModel | None:
         """Validate a query string; None for a route without parameters.
 
