@@ -33,8 +33,9 @@ const FIRST_K = 3;
  * @param {State} options.presets
  * @param {() => State} options.state
  * @param {Actions} options.actions
+ * @param {() => Promise<void>} options.describeMedia
  */
-export function createControls({ catalog, presets, state, actions }) {
+export function createControls({ catalog, presets, state, actions, describeMedia }) {
   const rows = Object.entries(MANNERS).flatMap(([name, manner]) => {
     const parameter = catalog.parameters.find((p) => p.name === name);
     if (!parameter) return [];
@@ -56,6 +57,7 @@ export function createControls({ catalog, presets, state, actions }) {
 
   const media = createMedia({
     materials: catalog.materials,
+    describe: describeMedia,
     actions,
     prefix: "albedo-",
     onPick(side, id) {

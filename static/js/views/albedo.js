@@ -27,8 +27,18 @@ await Promise.all(
 );
 
 /** @param {ViewContext} context */
-export function createView({ element, catalog, presets, state, actions, say, save, typeset }) {
-  const controls = createControls({ catalog, presets, state, actions });
+export function createView({
+  element,
+  catalog,
+  presets,
+  state,
+  actions,
+  say,
+  save,
+  describeMedia,
+  typeset,
+}) {
+  const controls = createControls({ catalog, presets, state, actions, describeMedia });
   const coat = createCoat({ presets, state, actions, save, say });
   const reading = createReading(say);
   const claims = createClaims({
