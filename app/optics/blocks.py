@@ -21,7 +21,11 @@ from app.optics.interface import Interface
 from app.optics.parameters import Array
 
 VALUES = 16384
-"""Values of a piece: 128 kB an array, so that about eight lie in a core's second-level cache."""
+"""Values of a piece: 128 kB an array, so that those in use lie in a core's second-level cache."""
+
+# Where the media vary, each piece takes hundreds of short calls around Brewster's and the critical
+# angle, which costs more than what leaves the cache of larger pieces.
+_OF_MANY_MEDIA = 4
 
 # glibc gives back what is freed at the top of its heap, to fetch it again page by page for the next
 # intermediate result, unless it has seen larger arrays come and go: let it see one.
@@ -31,12 +35,12 @@ Block = tuple[slice, ...]
 Function = Callable[..., Sequence[NDArray[Any]]]
 
 
-def blocks(shape: tuple[int, ...]) -> Iterator[Block]:
-    """Cut an array of `shape` into pieces of at most `VALUES`, along its last axes the longest."""
-    left, cuts = VALUES, []
-    for size in reversed(shape):
-        step = max(1, min(size, left))
-        cuts.append([slice(start, start + step) for start in range(0, size, step)])
+def blocks(shape: tuple[int, ...], size: int) -> Iterator[Block]:
+    """Cut an array of `shape` into pieces of at most `size`, along its last axes the longest."""
+    left, cuts = size, []
+    for length in reversed(shape):
+        step = max(1, min(length, left))
+        cuts.append([slice(start, start + step) for start in range(0, length, step)])
         left //= step
     return product(*reversed(cuts))
 
@@ -74,10 +78,11 @@ def in_blocks(
     if interface.shape or arguments:
         shapes = (array.shape for array in arguments.values())
         shape = np.broadcast_shapes(shape, interface.shape, *shapes)
-    if math.prod(shape) <= VALUES:
+    size = VALUES * _OF_MANY_MEDIA if interface.shape else VALUES
+    if math.prod(shape) <= size:
         return tuple(function(interface, incidence, **arguments))
     results: tuple[NDArray[Any], ...] = ()
-    for block in blocks(shape):
+    for block in blocks(shape, size):
         pick = partial(part, block)
         pieces = function(
             interface.map(pick),

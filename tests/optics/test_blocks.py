@@ -24,19 +24,17 @@ def tiny_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(blocks, "VALUES", 10)
 
 
-@pytest.mark.usefixtures("tiny_blocks")
 @pytest.mark.parametrize("shape", SHAPES)
 def test_the_pieces_cover_an_array_once(shape: tuple[int, ...]) -> None:
     count = np.zeros(shape)
-    for block in blocks.blocks(shape):
+    for block in blocks.blocks(shape, 10):
         assert count[block].size <= 10
         count[block] += 1
     assert np.all(count == 1)
 
 
-@pytest.mark.usefixtures("tiny_blocks")
 def test_long_axes_stay_long() -> None:
-    assert [prod(s.stop - s.start for s in block) for block in blocks.blocks((4, 5))] == [10, 10]
+    assert [prod(s.stop - s.start for s in block) for block in blocks.blocks((4, 5), 10)] == [10, 10]
 
 
 def media(seed: int) -> tuple[Interface, Incidence]:
