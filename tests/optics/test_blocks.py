@@ -34,7 +34,10 @@ def test_the_pieces_cover_an_array_once(shape: tuple[int, ...]) -> None:
 
 
 def test_long_axes_stay_long() -> None:
-    assert [prod(s.stop - s.start for s in block) for block in blocks.blocks((4, 5), 10)] == [10, 10]
+    assert [prod(s.stop - s.start for s in block) for block in blocks.blocks((4, 5), 10)] == [
+        10,
+        10,
+    ]
 
 
 def media(seed: int) -> tuple[Interface, Incidence]:

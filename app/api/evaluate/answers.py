@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Callable, Iterable, Iterator
-from typing import NamedTuple
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import orjson
@@ -15,29 +15,47 @@ from app.api.responses import CONVENTION
 from app.batch.rows import Fault, Outcome
 from app.optics.parameters import Array
 
-Evaluated = Iterable[tuple[Piece, Outcome]]
+if TYPE_CHECKING:
+    import pyarrow as pa
 
 _LONGEST_VALUE = 200
 
 
 class Writer(NamedTuple):
-    """A way to write an answer."""
+    """A way to write an answer; pieces are written apart from one another, in any order.
+
+    Attributes
+    ----------
+    media_type
+        The kind of content.
+    head
+        Returns what comes first.
+    piece
+        Returns what stands for a piece and its outcome.
+    tail
+        Returns what comes last, from the number of items that were wrong.
+    """
 
     media_type: str
-    write: Callable[[Evaluated], Iterator[bytes]]
+    head: Callable[[], bytes]
+    piece: Callable[[Piece, Outcome], bytes]
+    tail: Callable[[int], bytes]
 
 
-def write_json(evaluated: Evaluated) -> Iterator[bytes]:
-    """`{"convention", "results", "failed"}`: an item's number, its list of numbers, or its error."""
-    yield b'{"convention":' + orjson.dumps(CONVENTION) + b',"results":['
-    failed, separator = 0, b""
-    for piece, outcome in evaluated:
-        wrong = _by_item(piece, outcome)
-        failed += len(wrong)
-        if piece.counts.size:
-            yield separator + b",".join(_json_items(piece, outcome.values, wrong))
-            separator = b","
-    yield b'],"failed":%d}' % failed
+def _json_head() -> bytes:
+    return b'{"convention":' + orjson.dumps(CONVENTION) + b',"results":['
+
+
+def _json_piece(piece: Piece, outcome: Outcome) -> bytes:
+    """An item's number, its list of numbers, or its error."""
+    if piece.counts.size == 0:
+        return b""
+    items = b",".join(_json_items(piece, outcome.values, by_item(piece, outcome)))
+    return b"," + items if piece.first else items
+
+
+def _json_tail(failed: int) -> bytes:
+    return b'],"failed":%d}' % failed
 
 
 def _json_items(piece: Piece, values: Array, wrong: dict[int, Fault]) -> Iterator[bytes]:
@@ -65,25 +83,22 @@ def _json_fault(index: int, fault: Fault) -> bytes:
     return orjson.dumps({"index": index, "errors": [error]})
 
 
-def write_csv(evaluated: Evaluated) -> Iterator[bytes]:
+def _csv_piece(piece: Piece, outcome: Outcome) -> bytes:
     """One row a value, after its item's number and before what is wrong with it."""
-    yield b"item,value,error\r\n"
-    for piece, outcome in evaluated:
-        wrong = _by_item(piece, outcome)
-        items = np.repeat(np.arange(piece.first, piece.first + piece.counts.size), piece.counts)
-        numbers = _json_numbers(outcome.values)[1:-1].replace(b"null", b"").split(b",")
-        if wrong:
-            told = {item: _csv_field(_sentence(fault)) for item, fault in wrong.items()}
-            lines = [
-                b"%d,,%s" % (item, told[item - piece.first])
-                if item - piece.first in told
-                else b"%d,%s," % (item, number)
-                for item, number in zip(items.tolist(), numbers, strict=False)
-            ]
-        else:
-            lines = [b"%d,%s," % pair for pair in zip(items.tolist(), numbers, strict=False)]
-        if lines:
-            yield b"\r\n".join(lines) + b"\r\n"
+    if outcome.values.size == 0:
+        return b""
+    wrong = by_item(piece, outcome)
+    items = np.repeat(np.arange(piece.first, piece.first + piece.counts.size), piece.counts)
+    numbers = _json_numbers(outcome.values)[1:-1].replace(b"null", b"").split(b",")
+    if not wrong:
+        lines = [b"%d,%s," % pair for pair in zip(items.tolist(), numbers, strict=True)]
+    else:
+        told = {piece.first + i: _csv_field(_sentence(fault)) for i, fault in wrong.items()}
+        lines = [
+            b"%d,,%s" % (item, told[item]) if item in told else b"%d,%s," % (item, number)
+            for item, number in zip(items.tolist(), numbers, strict=True)
+        ]
+    return b"\r\n".join(lines) + b"\r\n"
 
 
 def _csv_field(text: str) -> bytes:
@@ -92,32 +107,42 @@ def _csv_field(text: str) -> bytes:
     return field.getvalue().encode()
 
 
-def write_arrow(evaluated: Evaluated) -> Iterator[bytes]:
-    """Columns `item`, `value` and `error`, one row a value, in one record batch a piece."""
+def _arrow_schema() -> pa.Schema:
     import pyarrow as pa
 
-    schema = pa.schema([("item", pa.int32()), ("value", pa.float64()), ("error", pa.string())])
-    sink = io.BytesIO()
-    with pa.ipc.new_stream(sink, schema) as stream:
-        for piece, outcome in evaluated:
-            wrong = _by_item(piece, outcome)
-            numbers = np.arange(piece.first, piece.first + piece.counts.size, dtype=np.int32)
-            items = np.repeat(numbers, piece.counts)
-            errors = pa.nulls(items.size, pa.string())
-            values = outcome.values
-            if wrong:
-                told = {piece.first + item: _sentence(fault) for item, fault in wrong.items()}
-                errors = pa.array([told.get(item) for item in items.tolist()], pa.string())
-                values = np.where(np.isin(items, list(told)), np.nan, values)
-            columns = [pa.array(items), pa.array(values, from_pandas=True), errors]
-            stream.write_batch(pa.record_batch(columns, schema=schema))
-            yield sink.getvalue()
-            sink.seek(0)
-            sink.truncate()
-    yield sink.getvalue()
+    return pa.schema([("item", pa.int32()), ("value", pa.float64()), ("error", pa.string())])
 
 
-def _by_item(piece: Piece, outcome: Outcome) -> dict[int, Fault]:
+def _arrow_head() -> bytes:
+    return bytes(_arrow_schema().serialize())
+
+
+def _arrow_piece(piece: Piece, outcome: Outcome) -> bytes:
+    """A record batch with one row a value."""
+    import pyarrow as pa
+
+    wrong = by_item(piece, outcome)
+    numbers = np.arange(piece.first, piece.first + piece.counts.size, dtype=np.int32)
+    items, values = np.repeat(numbers, piece.counts), outcome.values
+    errors = pa.nulls(items.size, pa.string())
+    if wrong:
+        told = {piece.first + item: _sentence(fault) for item, fault in wrong.items()}
+        errors = pa.array([told.get(item) for item in items.tolist()], pa.string())
+        values = np.where(np.isin(items, list(told)), np.nan, values)
+    columns = [pa.array(items), pa.array(values, from_pandas=True), errors]
+    return bytes(pa.record_batch(columns, schema=_arrow_schema()).serialize())
+
+
+def _arrow_tail(_: int) -> bytes:
+    return b"\xff\xff\xff\xff\x00\x00\x00\x00"  # the format's mark of the end
+
+
+JSON = Writer("application/json", _json_head, _json_piece, _json_tail)
+CSV = Writer("text/csv; charset=utf-8", lambda: b"item,value,error\r\n", _csv_piece, lambda _: b"")
+ARROW = Writer("application/vnd.apache.arrow.stream", _arrow_head, _arrow_piece, _arrow_tail)
+
+
+def by_item(piece: Piece, outcome: Outcome) -> dict[int, Fault]:
     """The first fault of each item that has one, by its place in the piece."""
     if not outcome.faults:
         return {}

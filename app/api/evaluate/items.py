@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
-from operator import attrgetter
-from typing import Any, Literal
+from operator import attrgetter, itemgetter
+from typing import Any, Literal, NamedTuple
 
 import msgspec
 import numpy as np
@@ -22,8 +24,32 @@ from app.optics.registry import Registry
 _AT_A_TIME = 20_000
 """Items that exist as Python objects at a time."""
 
+_NUMBER = itemgetter(0)
+
 _PLACE = re.compile(r" - at `\$\.?([\w.]*)")
 _UNKNOWN = re.compile(r"unknown field `(.*)`")
+
+_UNREADABLE = (msgspec.MsgspecError, RecursionError, UnicodeDecodeError)
+
+
+class _Decoder(NamedTuple):
+    """Decoders of one item and of many, and an item that says nothing."""
+
+    one: msgspec.json.Decoder[Any]
+    many: msgspec.json.Decoder[Any]
+    blank: Any
+
+
+def _decoder(name: str, fields: list[tuple[str, Any, Any]]) -> _Decoder:
+    item = msgspec.defstruct(
+        name,
+        fields,
+        rename=lambda attribute: attribute.replace("__", "."),
+        forbid_unknown_fields=True,
+        gc=False,
+    )
+    many: Any = list[item]  # type: ignore[valid-type]
+    return _Decoder(msgspec.json.Decoder(item), msgspec.json.Decoder(many), item())
 
 
 class _Body(msgspec.Struct, forbid_unknown_fields=True):
@@ -42,25 +68,19 @@ class ItemReader:
     def __init__(self, registry: Registry) -> None:
         self._columns = number_columns(registry)
         self._choices = {name: dict(p.choices) for name, p in self._columns.items() if p.choices}
-        fields: list[tuple[str, Any, Any]] = [("model", str, "exact"), ("quantity", str, "R")]
+        common: list[tuple[str, Any, Any]] = [("model", str, "exact"), ("quantity", str, "R")]
+        own: list[tuple[str, Any, Any]] = []
         for name, parameter in self._columns.items():
             kind: Any = float
             if name == THETA_I_DEG.name:
                 kind = float | list[float]
             if parameter.choices:
                 kind = float | Literal[tuple(choice for choice, _ in parameter.choices)]
-            fields.append((_attribute(name), kind, math.nan))
-        item = msgspec.defstruct(
-            "Item",
-            fields,
-            rename=lambda attribute: attribute.replace("__", "."),
-            forbid_unknown_fields=True,
-            gc=False,
-        )
+            (own if "." in name else common).append((_attribute(name), kind, math.nan))
+        # Most items give no model's own parameters, and those that do not are read much faster.
+        self._common = _decoder("Item", common)
+        self._all = _decoder("ItemOfAModel", [*common, *own])
         self._known = ["model", "quantity", *self._columns]
-        self._one: msgspec.json.Decoder[Any] = msgspec.json.Decoder(item)
-        self._many: msgspec.json.Decoder[Any] = msgspec.json.Decoder(list[item])  # type: ignore[valid-type]
-        self._blank = item()
 
     def read(self, body: bytes | bytearray) -> Items:
         """Take a body apart.
@@ -74,12 +94,12 @@ class ItemReader:
         """
         try:
             raw = msgspec.json.decode(body, type=_Body).items
-        except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
+        except _UNREADABLE as error:
             message = f'{error}; a body reads {{"items": [{{"n_t": 1.5, "theta_i_deg": 60}}]}}'
             raise BadParameters({"parameter": "items", "value": None, "message": message}) from None
         if len(raw) > MOST_VALUES:
             raise TooManyValues(len(raw))
-        gathered = _Gathered(list(self._columns), self._choices)
+        gathered = _Gathered(self._choices)
         for start in range(0, len(raw), _AT_A_TIME):
             part = raw[start : start + _AT_A_TIME]
             gathered.add(start, *self._decoded(part))
@@ -87,30 +107,35 @@ class ItemReader:
                 raise TooManyValues(gathered.values)
         return gathered.items(raw, self)
 
-    def _decoded(self, raw: list[msgspec.Raw]) -> tuple[list[Any], list[int]]:
-        """Decode items, all at once where all can be, and say which cannot."""
-        try:
-            return self._many.decode(b"[" + b",".join(raw) + b"]"), []
-        except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError):
-            pass
+    def _decoded(self, raw: list[msgspec.Raw]) -> tuple[list[Any], list[str], list[int]]:
+        """Decode items, the columns they may hold, and which of them cannot be decoded."""
+        body = b"[" + b",".join(raw) + b"]"
+        for decoder in (self._common, self._all):
+            with suppress(*_UNREADABLE):
+                return decoder.many.decode(body), self._names(decoder), []
         items, wrong = [], []
         for index, one in enumerate(raw):
             try:
-                items.append(self._one.decode(one))
-            except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError):
-                items.append(self._blank)
+                items.append(self._all.one.decode(one))
+            except _UNREADABLE:
+                items.append(self._all.blank)
                 wrong.append(index)
-        return items, wrong
+        return items, self._names(self._all), wrong
+
+    def _names(self, decoder: _Decoder) -> list[str]:
+        """Columns of numbers, other than the angle, that an item may hold."""
+        names = (name for name in self._columns if hasattr(decoder.blank, _attribute(name)))
+        return [name for name in names if name != THETA_I_DEG.name]
 
     def fault(self, raw: msgspec.Raw) -> Fault:
         """Say what is wrong with an item that could not be decoded."""
         try:
-            self._one.decode(raw)
-        except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
+            self._all.one.decode(raw)
+        except _UNREADABLE as error:
             text = str(error)
         try:
             given = msgspec.json.decode(raw)
-        except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError):
+        except _UNREADABLE:
             given = None
         unknown, place = _UNKNOWN.search(text), _PLACE.search(text)
         name = unknown[1] if unknown else place[1] if place and place[1] else "items"
@@ -132,7 +157,7 @@ class Items:
     theta_i_deg: Array
     counts: Index
     listed: NDArray[np.bool_]
-    malformed: dict[int, msgspec.Raw]
+    malformed: list[tuple[int, msgspec.Raw]]
     reader: ItemReader
 
     @property
@@ -163,8 +188,11 @@ class Items:
             },
             {
                 int(first[item - start]): self.reader.fault(raw)
-                for item, raw in self.malformed.items()
-                if start <= item < stop
+                for item, raw in self.malformed[
+                    bisect_left(self.malformed, start, key=_NUMBER) : bisect_left(
+                        self.malformed, stop, key=_NUMBER
+                    )
+                ]
             },
         )
         return Piece(start, rows, counts, self.listed[start:stop])
@@ -173,63 +201,83 @@ class Items:
 class _Gathered:
     """Columns on their way to `Items`."""
 
-    def __init__(self, columns: Sequence[str], choices: dict[str, dict[str, float]]) -> None:
-        self._numbers: dict[str, list[Array]] = {
-            name: [] for name in columns if name != THETA_I_DEG.name
-        }
+    def __init__(self, choices: dict[str, dict[str, float]]) -> None:
         self._choices = choices
-        self._codes: dict[str, list[Index]] = {"model": [], "quantity": []}
+        self._parts: list[_Part] = []
         self._distinct: dict[str, dict[str, int]] = {"model": {}, "quantity": {}}
-        self._theta: list[Array] = []
-        self._counts: list[Index] = []
-        self._listed: list[NDArray[np.bool_]] = []
         self._malformed: list[int] = []
         self.values = 0
 
-    def add(self, start: int, items: list[Any], wrong: list[int]) -> None:
+    def add(self, start: int, items: list[Any], columns: list[str], wrong: list[int]) -> None:
         """Append decoded items."""
         size = len(items)
-        for name, parts in self._numbers.items():
+        numbers = {}
+        for name in columns:
             given: Iterable[Any] = map(attrgetter(_attribute(name)), items)
             choices = self._choices.get(name)
             if choices:
                 given = (choices.get(value, value) for value in given)
-            parts.append(np.fromiter(given, np.float64, size))
-        for name, codes in self._codes.items():
-            distinct = self._distinct[name]
-            found = (distinct.setdefault(v, len(distinct)) for v in map(attrgetter(name), items))
-            codes.append(np.fromiter(found, np.intp, size))
+            column = np.fromiter(given, np.float64, size)
+            if not np.isnan(column).all():
+                numbers[name] = column
         angles = [item.theta_i_deg for item in items]
         listed = np.fromiter((type(angle) is list for angle in angles), np.bool_, size)
-        self._listed.append(listed)
+        counts = np.ones(size, np.intp)
         if listed.any():
             arrays = [np.atleast_1d(np.array(angle, np.float64)) for angle in angles]
-            self._counts.append(np.fromiter(map(len, arrays), np.intp, size))
-            self._theta.append(np.concatenate(arrays))
+            counts = np.fromiter(map(len, arrays), np.intp, size)
+            theta = np.concatenate(arrays)
         else:
-            self._counts.append(np.ones(size, np.intp))
-            self._theta.append(np.fromiter(angles, np.float64, size))
+            theta = np.fromiter(angles, np.float64, size)
+        codes = {name: self._codes(name, items) for name in self._distinct}
+        self._parts.append(_Part(numbers, codes, theta, counts, listed))
         self._malformed += [start + index for index in wrong]
-        self.values += self._theta[-1].size
+        self.values += theta.size
+
+    def _codes(self, name: str, items: list[Any]) -> Index:
+        said = list(map(attrgetter(name), items))
+        distinct = self._distinct[name]
+        for text in set(said):
+            distinct.setdefault(text, len(distinct))
+        return np.fromiter(map(distinct.__getitem__, said), np.intp, len(said))
 
     def items(self, raw: list[msgspec.Raw], reader: ItemReader) -> Items:
         """All that was added; columns that nobody gave are left out."""
-        empty = np.zeros(0)
-        numbers = {name: np.concatenate(parts or [empty]) for name, parts in self._numbers.items()}
+        parts = self._parts or [_NO_PART]
+        names = dict.fromkeys(name for part in parts for name in part.numbers)
         return Items(
-            {name: column for name, column in numbers.items() if not np.isnan(column).all()},
             {
-                name: Names(
-                    np.concatenate([*codes, np.zeros(0, np.intp)]), list(self._distinct[name])
+                name: np.concatenate(
+                    [part.numbers.get(name, np.full(part.counts.size, np.nan)) for part in parts]
                 )
-                for name, codes in self._codes.items()
+                for name in names
             },
-            np.concatenate(self._theta or [empty]),
-            np.concatenate([*self._counts, np.zeros(0, np.intp)]),
-            np.concatenate([*self._listed, np.zeros(0, np.bool_)]),
-            {index: raw[index] for index in self._malformed},
+            {
+                name: Names(np.concatenate([part.codes[name] for part in parts]), list(distinct))
+                for name, distinct in self._distinct.items()
+            },
+            np.concatenate([part.theta_i_deg for part in parts]),
+            np.concatenate([part.counts for part in parts]),
+            np.concatenate([part.listed for part in parts]),
+            [(index, raw[index]) for index in self._malformed],
             reader,
         )
+
+
+class _Part(NamedTuple):
+    """Columns of some of the items."""
+
+    numbers: dict[str, Array]
+    codes: dict[str, Index]
+    theta_i_deg: Array
+    counts: Index
+    listed: NDArray[np.bool_]
+
+
+_NO_INDEX = np.zeros(0, np.intp)
+_NO_PART = _Part(
+    {}, {"model": _NO_INDEX, "quantity": _NO_INDEX}, np.zeros(0), _NO_INDEX, np.zeros(0, np.bool_)
+)
 
 
 def _attribute(name: str) -> str:

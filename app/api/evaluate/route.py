@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Callable, Iterator
+import asyncio
+from collections import deque
+from collections.abc import AsyncIterator, Callable
 from functools import partial
 from urllib.parse import parse_qsl
 
@@ -12,12 +14,12 @@ from starlette.requests import ClientDisconnect
 from starlette.responses import Response, StreamingResponse
 
 from app.api.evaluate import arrow
-from app.api.evaluate.answers import Evaluated, Writer, write_arrow, write_csv, write_json
+from app.api.evaluate.answers import ARROW, CSV, JSON, Writer, by_item
 from app.api.evaluate.body import Bodies
 from app.api.evaluate.items import ItemReader
 from app.api.evaluate.negotiation import accepted
 from app.api.evaluate.openapi import operation
-from app.api.evaluate.pieces import MOST_VALUES, Questions, TooManyValues
+from app.api.evaluate.pieces import MOST_VALUES, Piece, Questions, TooManyValues
 from app.api.problems import API_HEADERS
 from app.api.route import refuse_unknown_and_repeated
 from app.batch.rows import evaluate
@@ -27,11 +29,13 @@ from app.pool import Pool
 # Values of a piece: enough to fill NumPy's calls, few enough that what is sent stays small.
 _PIECE = 65_536
 
-JSON = "application/json"
+# Pieces that are computed or waiting to be sent: the next is ready when one has been sent.
+_AHEAD = 3
 
-WRITERS = {JSON: Writer(JSON, write_json), "text/csv": Writer("text/csv; charset=utf-8", write_csv)}
-if arrow.AVAILABLE:
-    WRITERS[arrow.MEDIA_TYPE] = Writer(arrow.MEDIA_TYPE, write_arrow)
+WRITERS = {
+    writer.media_type.partition(";")[0]: writer
+    for writer in ((JSON, CSV, ARROW) if arrow.AVAILABLE else (JSON, CSV))
+}
 
 
 def router(registry: Registry, pool: Pool, body_bytes: int) -> APIRouter:
@@ -48,7 +52,9 @@ def router(registry: Registry, pool: Pool, body_bytes: int) -> APIRouter:
     """
     routes = APIRouter(tags=["optics"])
     bodies = Bodies(body_bytes)
-    readers: dict[str, Callable[[bytes | bytearray], Questions]] = {JSON: ItemReader(registry).read}
+    readers: dict[str, Callable[[bytes | bytearray], Questions]] = {
+        JSON.media_type: ItemReader(registry).read
+    }
     if arrow.AVAILABLE:
         readers[arrow.MEDIA_TYPE] = partial(arrow.read_arrow, registry=registry)
 
@@ -66,30 +72,45 @@ def router(registry: Registry, pool: Pool, body_bytes: int) -> APIRouter:
             raise HTTPException(413, detail) from None
         except ClientDisconnect:
             return Response(status_code=400)  # nobody is there to read it
-        chunks = writer.write(_evaluated(questions, registry))
-        first = await pool.run(partial(next, chunks, b""))
-        response = StreamingResponse(_streamed(first, chunks, pool), media_type=writer.media_type)
+        chunks = _streamed(questions, writer, registry, pool)
+        response = StreamingResponse(chunks, media_type=writer.media_type)
         response.raw_headers += [(b"cache-control", b"no-store"), *API_HEADERS]
         return response
 
     return routes
 
 
-def _evaluated(questions: Questions, registry: Registry) -> Evaluated:
-    for piece in questions.pieces(_PIECE):
-        yield piece, evaluate(piece.rows, registry)
+async def _streamed(
+    questions: Questions, writer: Writer, registry: Registry, pool: Pool
+) -> AsyncIterator[bytes]:
+    """Send pieces in order while the next ones are computed in threads."""
 
+    def computed(piece: Piece) -> tuple[bytes, int]:
+        outcome = evaluate(piece.rows, registry)
+        return writer.piece(piece, outcome), len(by_item(piece, outcome))
 
-async def _streamed(first: bytes, rest: Iterator[bytes], pool: Pool) -> AsyncIterator[bytes]:
-    """Send what is there while the next is computed in a thread."""
-    chunk: bytes | None = first
-    while chunk is not None:
-        yield chunk
-        chunk = await pool.run(partial(next, rest, None), let_in=True)
+    yield writer.head()
+    failed = 0
+    pieces = questions.pieces(_PIECE)
+    under_way: deque[asyncio.Task[tuple[bytes, int]]] = deque()
+    try:
+        while True:
+            while len(under_way) < _AHEAD and (piece := next(pieces, None)):
+                work = pool.run(partial(computed, piece), let_in=True)
+                under_way.append(asyncio.create_task(work))
+            if not under_way:
+                break
+            chunk, wrong = await under_way.popleft()
+            failed += wrong
+            yield chunk
+    finally:
+        for task in under_way:
+            task.cancel()
+    yield writer.tail(failed)
 
 
 def _kind_of_body(request: Request, offered: list[str]) -> str:
-    header = request.headers.get("content-type", JSON)
+    header = request.headers.get("content-type", JSON.media_type)
     kind = header.partition(";")[0].strip().lower()
     coding = request.headers.get("content-encoding", "identity").strip().lower()
     if kind not in offered or coding != "identity":
