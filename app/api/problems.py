@@ -20,10 +20,13 @@ from app.pool import Overloaded
 
 MEDIA_TYPE = "application/problem+json"
 
+EXPOSED_HEADERS = ["ETag", "Interpolation-Error", "X-Request-ID"]
+"""What pages of other origins may read beside the body."""
+
 API_HEADERS = [
     # Sent to everybody: a cache would hand an answer without them to a page of another origin.
     (b"access-control-allow-origin", b"*"),
-    (b"access-control-expose-headers", b"ETag, X-Request-ID"),
+    (b"access-control-expose-headers", ", ".join(EXPOSED_HEADERS).encode()),
     (b"x-content-type-options", b"nosniff"),
 ]
 """On every answer of the API, errors included."""

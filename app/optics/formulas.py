@@ -57,7 +57,7 @@ def of_model(model: Model) -> Formula:
     measured = [_at_interface(stated) for stated in model.measured]
     rounding = [_rounded_at(stated) for stated in model.rounding]
     stated: tuple[Measured | Rounding, ...] = (*model.measured, *model.rounding)
-    first = stated[0]
+    at = Interface(stated[0].n_i, stated[0].n_t, stated[0].k_t) if stated else Interface()
 
     def curve(interface: Interface, samples: int) -> Curve:
         theta = np.linspace(0.0, 90.0, samples)
@@ -74,7 +74,7 @@ def of_model(model: Model) -> Formula:
         reference=model.reference,
         validity=model.validity,
         accuracy=(*measured, *rounding),
-        at=Interface(first.n_i, first.n_t, first.k_t),
+        at=at,
         takes=(N_I, N_T, K_T),
         symbols=model.symbols,
         parameters=model.parameters,

@@ -142,7 +142,8 @@ def test_every_route_with_two_media_takes_presets(app: FastAPI) -> None:
     asked = 0
     for path, methods in app.openapi()["paths"].items():
         names = {p["name"] for p in methods.get("get", {}).get("parameters", [])}
-        if "n_t" in names:
+        of_a_material = not path.startswith("/api/v1/formulas/")  # those are about the letters
+        if "n_t" in names and of_a_material:
             assert names.issuperset(PRESETS), path
             asked += 1
     assert asked >= 3
