@@ -47,13 +47,14 @@ const PAINT = [
  * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
  * @param {(name: string, blob: Blob) => void} options.save
  * @param {(text: string) => void} options.say
+ * @param {string} [options.prefix] of ids
  */
-export function createCoat({ presets, state, actions, save, say }) {
+export function createCoat({ presets, state, actions, save, say, prefix = "albedo-" }) {
   /** @param {string} name @param {string} symbol @param {string} label @param {[number, number]} bounds @param {[number, number]} range @param {Partial<import('../controls/row.js').RowOptions>} [more] */
   const row = (name, symbol, label, bounds, range, more = {}) =>
     createRow({
       parameter: { name, symbol, minimum: bounds[0], maximum: bounds[1] },
-      prefix: "albedo-",
+      prefix,
       preset: presets[name],
       label,
       range,

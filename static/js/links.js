@@ -1,0 +1,48 @@
+/** Links from one view into another: addresses as any other, followed without loading the page anew. */
+
+import { h } from "./dom.js";
+
+/**
+ * @param {string} view
+ * @param {Record<string, string | number | null | undefined>} [state] what differs from the defaults
+ * @returns {string} the address, relative to the page
+ */
+export function addressOf(view, state = {}) {
+  const query = Object.entries({ view: view === "explore" ? null : view, ...state })
+    .filter(([, value]) => value !== null && value !== undefined)
+    .map(
+      ([key, value]) =>
+        `${encodeURIComponent(key)}=${encodeURIComponent(String(value)).replace(/%2C/g, ",")}`,
+    )
+    .join("&");
+  return query ? `?${query}` : "./";
+}
+
+/** @param {string} href */
+function follow(href) {
+  history.pushState(null, "", href);
+  window.dispatchEvent(new PopStateEvent("popstate"));
+  window.scrollTo(0, 0);
+}
+
+/**
+ * @param {string} text
+ * @param {string} view
+ * @param {Record<string, string | number | null | undefined>} [state]
+ * @param {(href: string) => void} [go] what a plain click does; by default the state becomes the link's
+ */
+export function pageLink(text, view, state, go = follow) {
+  const href = addressOf(view, state);
+  return h(
+    "a",
+    {
+      href,
+      onclick(/** @type {MouseEvent} */ event) {
+        if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
+        event.preventDefault();
+        go(href);
+      },
+    },
+    text,
+  );
+}

@@ -1,0 +1,95 @@
+/** The sliders of a lesson: what can be moved, between which ends. */
+
+import { createChoice } from "../controls/choice.js";
+import { createRow } from "../controls/row.js";
+import { h } from "../dom.js";
+import { evaluateAngle } from "../expression.js";
+import { inDegrees, plain } from "../format.js";
+
+/**
+ * @typedef {import('../types.js').Catalog} Catalog
+ * @typedef {import('../types.js').State} State
+ * @typedef {import('./lesson.js').RowName} RowName
+ * @typedef {import('./lesson.js').Setting} Setting
+ * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
+ */
+
+/** Which declared parameter a row moves, where its value stands in a setting, and its name. */
+const ROWS = /** @type {const} */ ({
+  own_deg: { parameter: "theta_i_deg", value: "deg", label: "angle of incidence" },
+  own_i: { parameter: "n_i", value: "n_i", label: "incident index" },
+  own_n: { parameter: "n_t", value: "n_t", label: "second index" },
+  own_k: { parameter: "k_t", value: "k_t", label: "extinction" },
+});
+export const DEGREES = { step: 0.5, fine: 0.05, page: 5 };
+const INDICES = { step: 0.01, fine: 0.001, page: 0.1 };
+
+const writing = {
+  print: (/** @type {number} */ v) => `${plain(v)}°`,
+  end: (/** @type {number} */ v) => `${plain(v)}°`,
+  parse(/** @type {string} */ text) {
+    const typed = evaluateAngle(text, "deg");
+    return inDegrees(typed.value, typed.unit);
+  },
+  allowed: () => "0° to 90°",
+};
+
+/**
+ * @param {object} options
+ * @param {Partial<Record<RowName, [number, number]>>} options.rows
+ * @param {Setting} options.presets the values that a double click goes back to
+ * @param {boolean} [options.polarized]
+ * @param {Catalog} options.catalog
+ * @param {Actions} options.actions
+ * @param {string} options.prefix of ids
+ */
+export function createRows({ rows, presets, polarized = false, catalog, actions, prefix }) {
+  const made = Object.entries(rows).map(([name, range]) => {
+    const { parameter, value, label } = ROWS[/** @type {RowName} */ (name)];
+    const declared = catalog.parameters.find((p) => p.name === parameter);
+    if (!declared) throw new Error(`the server declares no ${parameter}`);
+    const preset = /** @type {number} */ (presets[value]);
+    const row = createRow({
+      parameter: { ...declared, name },
+      prefix,
+      preset,
+      label,
+      range,
+      steps: value === "deg" ? DEGREES : INDICES,
+      onChange: (v, moving) =>
+        actions.set({ [name]: v === preset ? null : v }, { history: moving ? "replace" : "push" }),
+      onSettle: actions.settle,
+      ...(value === "deg" && { writing }),
+    });
+    return { row, value };
+  });
+  const polarization = polarized
+    ? createChoice({
+        legend: "Polarization",
+        items: ["s", "p", "unpolarized"].map((value) => ({ value, label: value })),
+        onChange: ([value]) =>
+          actions.set({ own_pol: value === presets.polarization ? null : value }),
+      })
+    : null;
+
+  return {
+    element: h(
+      "div",
+      { class: "rows lesson-rows" },
+      ...made.map(({ row }) => row.element),
+      polarization?.element,
+    ),
+    /** @param {Setting} setting @param {{deg: number, label: string}[]} landmarks */
+    update(setting, landmarks) {
+      for (const { row, value } of made) {
+        const marks =
+          value === "deg" ? landmarks.map((l) => ({ value: l.deg, label: l.label })) : [];
+        row.update(/** @type {number} */ (setting[value]), marks);
+      }
+      polarization?.update([setting.polarization]);
+    },
+    stop() {
+      for (const { row } of made) row.stop();
+    },
+  };
+}

@@ -1,0 +1,256 @@
+/** The picture of a lesson: the ray at the surface beside its curves, or a metal's colors. */
+
+import { createDiagram } from "../diagram.js";
+import { h, setText } from "../dom.js";
+import { landmarksOf, readingAt, values } from "../explore/reading.js";
+import { createSplit } from "../explore/split.js";
+import { axesOf } from "../explore/traces.js";
+import { locate, read } from "../interpolate.js";
+import { CHANNELS, modelTraces } from "../model-traces.js";
+import { createPlot } from "../plots.js";
+import { clamp, snap, stepped } from "../snap.js";
+import { DEGREES } from "./rows.js";
+
+/**
+ * @typedef {import('../types.js').Catalog} Catalog
+ * @typedef {import('../plot/model.js').Trace} Trace
+ * @typedef {import('../explore/reading.js').Reading} Reading
+ * @typedef {import('./lesson.js').Lesson} Lesson
+ * @typedef {import('./lesson.js').Setting} Setting
+ */
+
+const SNAP_DEGREES = 1;
+const AXES = /** @type {any} */ (
+  axesOf({
+    polarization: "unpolarized",
+    angle: "deg",
+    show: [],
+    models: [],
+    marks: true,
+  })
+);
+
+/** @type {Record<string, Omit<Trace, 'x' | 'y'>>} */
+const LOOKS = {
+  R: { id: "R", label: "R", color: "--R", dash: "solid", width: 2.6 },
+  Rs: { id: "Rs", label: "Rₛ", color: "--Rs", dash: "solid", width: 1.9 },
+  Rp: { id: "Rp", label: "Rₚ", color: "--Rp", dash: "dash", width: 1.9 },
+  T: { id: "T", label: "T", color: "--T", dash: "longdash", width: 1.9 },
+};
+
+/** R, G and B of a material by its spectrum and by models. @param {any} answer @param {readonly string[]} models @param {Catalog} catalog @returns {Trace[]} */
+function colorTraces(answer, models, catalog) {
+  const x = answer.theta_i_deg;
+  const truth = answer.rgb.curves.find((/** @type {any} */ c) => c.model === "spectral");
+  return [
+    ...Object.entries(CHANNELS).map(([quantity, { color, label }]) => ({
+      id: quantity,
+      label,
+      x,
+      y: truth[quantity],
+      color,
+      dash: "solid",
+      width: 2.4,
+    })),
+    ...answer.rgb.curves
+      .filter((/** @type {any} */ c) => models.includes(c.model))
+      .flatMap((/** @type {any} */ c) =>
+        modelTraces(
+          /** @type {any} */ ({
+            curves: Object.keys(CHANNELS).map((quantity) => ({
+              model: c.model,
+              quantity,
+              values: c[quantity],
+            })),
+          }),
+          [c.model],
+          catalog.models,
+          x,
+        ).map((trace) => ({
+          ...trace,
+          bare: true,
+          dash: c.model === "exact" ? "dot" : "dash",
+          width: 1.6,
+        })),
+      ),
+  ];
+}
+
+/**
+ * @param {object} options
+ * @param {Catalog} options.catalog
+ * @param {string} options.name what readers hear of the plot
+ * @param {(deg: number, history: 'replace') => void} options.onTheta
+ * @param {() => void} options.onSettle
+ */
+export function createStage({ catalog, name, onTheta, onSettle }) {
+  const diagramFrame = h("div", { class: "frame" });
+  const plotFrame = h("div", { class: "frame" });
+  const split = createSplit();
+  const ray = h(
+    "div",
+    { class: "stage-ray" },
+    h("div", { class: "diagram-host" }, diagramFrame),
+    split.element,
+  );
+  const key = h("p", { class: "stage-key" });
+  const curves = h(
+    "div",
+    { class: "stage-curves" },
+    h("div", { class: "plot-host" }, plotFrame),
+    key,
+  );
+  const element = h("div", { class: "stage" }, ray, curves);
+
+  let theta = 0;
+  /** @type {{deg: number, label: string}[]} */
+  let marks = [];
+  const stops = () => marks.map((m) => m.deg);
+
+  /** @param {number} deg @param {boolean} free */
+  function drag(deg, free) {
+    const raw = Number((Math.round(deg / DEGREES.fine) * DEGREES.fine).toFixed(9));
+    const next = clamp(free ? raw : snap(raw, stops(), SNAP_DEGREES), 0, 90);
+    if (next !== theta) onTheta(next, "replace");
+  }
+
+  const diagram = createDiagram(diagramFrame, {
+    onTheta: (/** @type {number} */ deg, /** @type {{free: boolean}} */ { free }) =>
+      drag(deg, free),
+    onSettle,
+    onStep(/** @type {string} */ kind) {
+      const size = { fine: DEGREES.fine, page: DEGREES.page }[kind.slice(0, -1)] ?? DEGREES.step;
+      const next =
+        kind === "home"
+          ? 0
+          : kind === "end"
+            ? 90
+            : stepped(theta, kind.endsWith("-") ? -size : size, stops());
+      onTheta(clamp(next, 0, 90), "replace");
+    },
+  });
+  const plot = createPlot(plotFrame, {
+    ...AXES,
+    name,
+    filename: "fresnel-lesson",
+    onPick(x, { settled, free }) {
+      drag(x, free);
+      if (settled) onSettle();
+    },
+  });
+
+  /** @type {{sources: readonly unknown[], look: string, settled: boolean}} */
+  let drawn = { sources: [], look: "", settled: false };
+  /** @type {Trace[]} */
+  let traces = [];
+
+  /**
+   * @param {readonly unknown[]} sources what the traces are made of
+   * @param {string} look
+   * @param {boolean} moving
+   * @param {() => Trace[]} make
+   * @param {{x: number, label: string, kind: 'landmark'}[]} landmarks
+   */
+  function draw(sources, look, moving, make, landmarks) {
+    const same = sources.every((source, i) => source === drawn.sources[i]);
+    if (same && look === drawn.look && (drawn.settled || moving)) return;
+    traces = make();
+    if (moving && look === drawn.look) plot.fast(traces, landmarks);
+    else void plot.draw(traces, landmarks);
+    drawn = { sources, look, settled: !moving || look !== drawn.look };
+  }
+
+  function mark() {
+    const place = (/** @type {Trace} */ t) => read(t.y, locate(t.x, theta));
+    plot.marker(
+      theta,
+      traces.filter((t) => !t.bare).map((t) => ({ id: t.id, y: place(t) })),
+    );
+  }
+
+  return {
+    element,
+    /**
+     * @param {Lesson} lesson
+     * @param {Setting} setting
+     * @param {Record<string, any>} answers
+     * @param {boolean} moving
+     * @param {Trace[]} [more] curves of others
+     * @returns {Reading | null} the numbers at the angle
+     */
+    update(lesson, setting, answers, moving, more = []) {
+      theta = setting.deg;
+      const models = lesson.models ?? [];
+      ray.hidden = lesson.picture !== "surface";
+      key.hidden = lesson.picture !== "colors";
+      if (lesson.picture === "colors") {
+        marks = [];
+        const answer = answers.colors;
+        if (!answer?.rgb || answer.material.id !== setting.of) return null;
+        const look = `${lesson.id} ${models}`;
+        const beyond = answer.rgb.curves[0].R_red.some((/** @type {number} */ v) => v > 1);
+        if (look !== drawn.look || answer !== drawn.sources[0])
+          plot.axes({ y: { ...AXES.y, range: [0, beyond ? 1.1 : 1] } });
+        draw([answer], look, moving, () => colorTraces(answer, models, catalog), []);
+        mark();
+        return null;
+      }
+      const { curves } = answers;
+      if (!curves) return null;
+      const reading = readingAt(curves, answers.snell, theta);
+      marks = landmarksOf(curves.interface);
+      const { polarization } = setting;
+      const [share, passed] = { s: [reading.Rs, reading.Ts], p: [reading.Rp, reading.Tp] }[
+        polarization
+      ] ?? [reading.R, reading.T];
+      const own = { ...lesson.at };
+      const [from, into] = lesson.names ?? ["first medium", "second medium"];
+      diagram.update({
+        ...reading,
+        polarization: /** @type {any} */ (polarization),
+        angleUnit: "deg",
+        labels: {
+          incident: setting.n_i === (own.n_i ?? 1) ? from : "first medium",
+          transmitted:
+            setting.n_t === own.n_t && setting.k_t === (own.k_t ?? 0) ? into : "second medium",
+        },
+        landmarks: marks,
+      });
+      split.update(
+        /** @type {number} */ (share),
+        /** @type {number} */ (passed),
+        reading.interface.k_t > 0,
+      );
+      const x = curves.theta_i_deg;
+      if (drawn.sources.length > 0 && !drawn.look.startsWith("[")) plot.axes({ y: AXES.y });
+      const look = JSON.stringify([lesson.id, lesson.quantities, models, more.map((t) => t.id)]);
+      draw(
+        [curves, ...more.map((t) => t.y)],
+        look,
+        moving,
+        () => [
+          ...(lesson.quantities ?? ["R"]).map((id) => ({
+            .../** @type {Omit<Trace, 'x' | 'y'>} */ (LOOKS[id]),
+            x,
+            y: values(curves, id),
+          })),
+          ...models.flatMap((id) => modelTraces(curves, [id], catalog.models, x)),
+          ...more,
+        ],
+        marks.map(({ deg, label }) => ({ x: deg, label, kind: "landmark" })),
+      );
+      mark();
+      return reading;
+    },
+    /** @param {string} words what the lines of a color picture are */
+    explain: (words) => setText(key, words),
+    table: () => plot.table(),
+    theme() {
+      plot.theme();
+    },
+    destroy() {
+      diagram.destroy();
+      plot.destroy();
+    },
+  };
+}

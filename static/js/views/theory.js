@@ -1,0 +1,142 @@
+/** Theory: a first path, every formula, claims measured, traps, a material to guess, worksheets. */
+
+import { h } from "../dom.js";
+import { pageLink } from "../links.js";
+import { loadStyle } from "../style.js";
+import { SECTIONS, theoryFields, UNTOUCHED } from "../theory/fields.js";
+import { createLessons } from "../theory/lessons.js";
+import { STEPS } from "../theory/steps.js";
+import { TRAPS } from "../theory/trap-cards.js";
+import { loadKatex } from "../typeset.js";
+
+export { queries, restCalls } from "../theory/queries.js";
+export const fields = theoryFields;
+
+/**
+ * @typedef {import('../types.js').State} State
+ * @typedef {import('../types.js').ViewContext} ViewContext
+ * @typedef {object} Section
+ * @property {HTMLElement} element
+ * @property {(now: State, answers: Record<string, any>, moving: boolean) => void} [update]
+ * @property {(now: State) => string} [sentence]
+ * @property {() => void} [theme]
+ * @property {() => void} [stop]
+ * @property {() => void} [destroy]
+ */
+
+await Promise.all([
+  ...["parameters", "albedo", "albedo-coat", "materials", "theory"].map((name) =>
+    loadStyle(`css/${name}.css`),
+  ),
+  loadKatex().catch(() => {}), // formulas then stand as LaTeX
+]);
+
+/** What makes a section, loaded when it is opened. @type {Record<string, (context: ViewContext) => Promise<Section>>} */
+const MAKERS = {
+  path: async (context) =>
+    createLessons({
+      context,
+      lessons: STEPS,
+      key: "step",
+      title: "First path",
+      intro:
+        "Ten steps from a pond to paint, each with a picture to touch. No mathematics is needed to begin.",
+    }),
+  traps: async (context) =>
+    createLessons({
+      context,
+      lessons: TRAPS,
+      key: "trap",
+      title: "Traps",
+      intro: "Mistakes that look right. Find out where each fails before you read the cure.",
+    }),
+  formulas: async (context) => (await import("../theory/formulas.js")).createFormulas(context),
+  claims: async (context) => (await import("../theory/claims.js")).createClaimsPage(context),
+  mystery: async (context) => (await import("../theory/mystery.js")).createMystery(context),
+  worksheets: async () => (await import("../theory/worksheets.js")).createWorksheets(),
+};
+
+/** @param {ViewContext} context */
+export function createView(context) {
+  const { element, state, actions } = context;
+  const tabs = SECTIONS.map(({ id, title }) => ({
+    id,
+    link: pageLink(title, "theory", { section: id === "path" ? null : id }, () => {
+      actions.set({ ...UNTOUCHED, section: id });
+      window.scrollTo(0, 0);
+    }),
+  }));
+  const place = h("div", { class: "theory-section" });
+  const trouble = h("p", { class: "trouble", role: "alert", hidden: true });
+  element.append(
+    h(
+      "nav",
+      { class: "theory-tabs", "aria-label": "Sections of Theory" },
+      ...tabs.map((t) => t.link),
+    ),
+    trouble,
+    place,
+  );
+
+  /** @type {Map<string, Section>} */
+  const made = new Map();
+  /** @type {Set<string>} */
+  const making = new Set();
+  /** @type {Record<string, any>} */
+  let latest = {};
+
+  /** @param {string} id */
+  async function make(id) {
+    if (making.has(id)) return;
+    making.add(id);
+    try {
+      const section = await /** @type {(context: ViewContext) => Promise<Section>} */ (MAKERS[id])(
+        context,
+      );
+      made.set(id, section);
+      place.append(section.element);
+      section.theme?.(); // colors and faces are those of the place in the document
+    } catch {
+      making.delete(id); // the network: the next change tries again
+    }
+    actions.set({}, { history: "none" });
+  }
+
+  /** @param {string} text */
+  function complain(text) {
+    trouble.hidden = text === "";
+    trouble.textContent = text;
+  }
+
+  return {
+    /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
+    update(now, answers, moving) {
+      if (answers !== latest) complain("");
+      latest = answers;
+      for (const { id, link } of tabs) {
+        if (id === now.section) link.setAttribute("aria-current", "true");
+        else link.removeAttribute("aria-current");
+      }
+      for (const [id, section] of made) section.element.hidden = id !== now.section;
+      const section = made.get(now.section);
+      if (section) section.update?.(now, answers, moving);
+      else void make(now.section);
+    },
+    /** @param {State} now */
+    sentence: (now) => made.get(now.section)?.sentence?.(now) ?? "",
+    /** @param {string} _ @param {{title: string, lines: string[]}} problem */
+    problem(_, { title, lines }) {
+      complain([title, ...lines].join(": "));
+      return true;
+    },
+    theme() {
+      for (const section of made.values()) section.theme?.();
+    },
+    deactivate() {
+      made.get(state().section)?.stop?.();
+    },
+    destroy() {
+      for (const section of made.values()) section.destroy?.();
+    },
+  };
+}
