@@ -246,7 +246,7 @@ def test_an_unknown_formula_is_said_to_be_unknown(page: Page) -> None:
         "There is no such formula", timeout=READY_MS
     )
     expect(page.locator(".view-theory > .trouble")).to_contain_text("model.schlick")
-    page.locator(".formula-groups a", has_text="Spherical").click()
+    page.locator(".formula-groups a", has_text="Spherical Gaussian").click()
     expect(page.locator(".view-theory > .trouble")).to_be_hidden()
     expect(page.locator(".formula-detail .lesson-title")).to_have_text("Spherical Gaussian")
 

@@ -4,6 +4,7 @@ import { h, setText } from "../dom.js";
 import { EXAMPLES } from "../examples.js";
 import { percent, signed, significant } from "../format.js";
 import { pageLink } from "../links.js";
+import { words } from "./prose.js";
 
 /**
  * @typedef {import('../types.js').State} State
@@ -67,10 +68,15 @@ function card(claim) {
       ),
       h("span", {}, source.where),
     ),
-    h("h3", {}, claim.title),
-    h("p", { class: "claimed" }, claim.claimed),
-    h("p", { class: "found" }, h("b", {}, "Measured: "), claim.found),
-    h("p", { class: "hint" }, claim.domain),
+    h("h3", {}, ...words(claim.title)),
+    h("p", { class: "claimed" }, ...words(claim.claimed)),
+    h(
+      "p",
+      { class: "found" },
+      h("b", {}, "Measured: "),
+      ...words(claim.found.replace(/^Measured: /, "")),
+    ),
+    h("p", { class: "hint" }, ...words(claim.domain)),
     claim.parts.length
       ? h(
           "ul",
@@ -80,7 +86,8 @@ function card(claim) {
               "li",
               { "data-holds": String(part.holds) },
               h("b", {}, part.holds ? "yes" : "no"),
-              ` ${part.says}`,
+              " ",
+              ...words(part.says),
             ),
           ),
         )
@@ -109,7 +116,7 @@ function card(claim) {
               "tr",
               {},
               h("td", {}, amount(figure)),
-              h("td", {}, figure.says),
+              h("td", {}, ...words(figure.says)),
               h(
                 "td",
                 {},
@@ -142,6 +149,7 @@ export function createClaimsPage({ actions }) {
   const verdicts = h("div", { class: "filters", role: "group", "aria-label": "Verdict" });
   const sources = h("select", { class: "by-source", "aria-label": "Source" });
   sources.addEventListener("change", () => actions.set({ by: sources.value || null, claim: null }));
+  const bySource = h("label", { hidden: true }, "Source ", sources);
   const count = h("p", { class: "hint", role: "status" });
   const cards = h("div", { class: "claim-cards" });
   const element = h(
@@ -153,7 +161,7 @@ export function createClaimsPage({ actions }) {
       { class: "intro" },
       "What papers, notes and code say of these formulas, and what this server measures. Every figure is the answer to the request beside it: follow it, or run it elsewhere.",
     ),
-    h("div", { class: "claim-tools" }, verdicts, h("label", {}, "Source ", sources), count),
+    h("div", { class: "claim-tools" }, verdicts, bySource, count),
     cards,
   );
 
@@ -172,7 +180,9 @@ export function createClaimsPage({ actions }) {
     cards.replaceChildren(...made.values());
     const counts = new Map();
     for (const { verdict } of all) counts.set(verdict, (counts.get(verdict) ?? 0) + 1);
-    buttons = [[null, all.length], ...counts].map(([verdict, many]) => ({
+    const order = [...Object.keys(MOODS), ...counts.keys()].filter((v) => counts.has(v));
+    const offered = [...new Set(order)].map((verdict) => [verdict, counts.get(verdict)]);
+    buttons = [[null, all.length], ...offered].map(([verdict, many]) => ({
       verdict,
       button: h(
         "button",
@@ -185,6 +195,7 @@ export function createClaimsPage({ actions }) {
       ),
     }));
     verdicts.replaceChildren(...buttons.map((b) => b.button));
+    bySource.hidden = false;
     const names = [...new Set(all.map((c) => sourceName(c.source)))].sort();
     sources.replaceChildren(
       h("option", { value: "" }, "all"),

@@ -10,7 +10,7 @@ import { shortTitle } from "../model-traces.js";
 import { modelStyle } from "../palette.js";
 import { createPlot } from "../plots.js";
 import { UNTOUCHED } from "./fields.js";
-import { display, math, pieces } from "./prose.js";
+import { display, math, pieces, words } from "./prose.js";
 
 /**
  * @typedef {import('../types.js').State} State
@@ -40,21 +40,11 @@ const TAKES =
     n_t: { own: "own_n", label: "second index", range: [0.1, 4] },
     k_t: { own: "own_k", label: "extinction", range: [0, 8] },
   });
-const GREEK = /^(eta|kappa|mu|theta)/;
 const LOOKS = [
   { color: "--R", dash: "solid", width: 2.6 },
   { color: "--Rs", dash: "solid", width: 1.9 },
   { color: "--Rp", dash: "dash", width: 1.9 },
 ];
-
-/** A text in which indices and Greek letters are written as such. @param {string} text */
-function words(text) {
-  return text
-    .replace(/<=/g, "≤")
-    .replace(/>=/g, "≥")
-    .split(/\b([A-Za-z]_[a-z0-9]+|[A-Za-z]\^\d|eta|kappa|mu|theta_[it])\b/)
-    .map((part, index) => (index % 2 ? math(GREEK.test(part) ? `\\${part}` : part) : part));
-}
 
 /** Where the formula is used: a view and its state. @param {Formula} formula @returns {[string, string, Record<string, string | number>]} */
 export function used({ id, kind, takes }) {

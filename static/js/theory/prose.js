@@ -25,6 +25,17 @@ export function pieces(text) {
   });
 }
 
+const GREEK = /^(eta|kappa|mu|theta)/;
+
+/** A text in which indices and Greek letters are written as such. @param {string} text */
+export function words(text) {
+  return text
+    .replace(/<=/g, "≤")
+    .replace(/>=/g, "≥")
+    .split(/\b([A-Za-z]_[a-z0-9]+|[A-Za-z]\^\d|eta|kappa|mu|theta_[it])\b/)
+    .map((part, index) => (index % 2 ? math(GREEK.test(part) ? `\\${part}` : part) : part));
+}
+
 /**
  * A formula on lines of its own. Long ones break between their equations, which KaTeX does not do.
  * @param {string} latex
