@@ -5,7 +5,7 @@ import { convertPath, filled, printValue, texts } from "../../static/js/compare/
 import { measured } from "../../static/js/compare/examples.js";
 import { compareFields, focused, ranges } from "../../static/js/compare/fields.js";
 import { COLUMNS, printCost, short, sorted } from "../../static/js/compare/metrics.js";
-import { later, queries, restCalls } from "../../static/js/compare/queries.js";
+import { later, lutPath, queries, restCalls, rgbLutPath } from "../../static/js/compare/queries.js";
 import { curveTraces, distinct, errorRange, errorTraces } from "../../static/js/compare/traces.js";
 import { EXAMPLES, shows, stateOf } from "../../static/js/examples.js";
 import { parameterFields, parameterQuery } from "../../static/js/model-parameters.js";
@@ -135,6 +135,7 @@ test("while something moves only curves are asked for, and slow questions come l
     "convert",
     "recommend",
     "shader",
+    "lut",
   ]);
   const swept = later(stateWith({ over: "k" }), CATALOG);
   assert.match(swept["sweep:schlick"] ?? "", /over=k_t&minimum=0&maximum=5&steps=201$/);
@@ -332,4 +333,17 @@ test("the code shown is that of a model on the screen, of numbers or of colors",
   assert.equal(later(colors, CATALOG).shader, "/shaders/exact?language=wgsl&channels=3");
   const gone = { ...state, code: "spherical_gaussian" };
   assert.equal(later(gone, CATALOG).shader, "/shaders/schlick?language=wgsl");
+});
+
+test("a table is that of the model whose code is shown, with its parameters", () => {
+  const state = stateWith({ against: ["lut_1d", "schlick"], "lut_1d.size": 16, n_t: 2 });
+  assert.equal(later(state, CATALOG).lut, "/lut/errors?model=lut_1d&n_t=2&lut_1d.size=16");
+  const exact = { ...state, code: "exact" };
+  assert.equal(lutPath(exact, CATALOG, "/lut", ["size=8"]), "/lut?n_t=2&size=8");
+  assert.equal(rgbLutPath(exact, CATALOG), null);
+  const gold = { ...exact, material: "Au" };
+  const materials = /** @type {any} */ ([{ id: "Au", n_range_nm: [300, 800] }]);
+  const found = rgbLutPath(gold, { ...CATALOG, materials });
+  assert.equal(found, "/lut?material=Au&n_i=1&channels=3");
+  assert.equal(rgbLutPath({ ...gold, code: "schlick" }, { ...CATALOG, materials }), null);
 });

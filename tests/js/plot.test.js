@@ -84,6 +84,15 @@ test("given ticks are thinned to the room", () => {
   );
 });
 
+test("given ticks of a logarithmic axis are thinned by their ratios", () => {
+  const values = [2, 4, 8, 16, 32, 64, 128];
+  const ticks = { values, text: values.map(String) };
+  const labels = (/** @type {number} */ length) =>
+    axisTicks({ ticks, scale: "log" }, [2, 128], length, 40).map((tick) => tick.label);
+  assert.deepEqual(labels(300), values.map(String));
+  assert.deepEqual(labels(150), ["2", "8", "32", "128"]);
+});
+
 test("a range that follows the data is round and holds it", () => {
   assert.deepEqual(roundRange([[0.013, null, 0.87]]), [0, 1]);
   assert.deepEqual(roundRange([[-0.0357, 0.001]]), [-0.04, 0.005]);

@@ -4,6 +4,7 @@ import { EXAMPLES } from "../examples.js";
 import { parameterFields } from "../model-parameters.js";
 import { snippetFields } from "../snippets/fields.js";
 import { choice, LinkError, list, number } from "../state.js";
+import { tableFields } from "../tables/fields.js";
 import { SOURCES } from "./conversions.js";
 import { COLUMNS } from "./metrics.js";
 
@@ -101,6 +102,7 @@ export function compareFields({ models, parameters }) {
     given: words(),
     seen_from: number({ default: null, minimum: 1e-3, maximum: 100 }),
     ...snippetFields(models),
+    ...tableFields(),
     ...parameterFields(models),
   };
 }

@@ -1,7 +1,7 @@
 /** What the Compare view asks the server for. */
 
 import { parameterQuery } from "../model-parameters.js";
-import { snippetPath } from "../snippets/fields.js";
+import { codeOf, snippetPath } from "../snippets/fields.js";
 import { convertPath } from "./conversions.js";
 import { focused, isMap, isPointwise, ranges, withCode } from "./fields.js";
 
@@ -108,6 +108,27 @@ export function recommendPath(state, catalog) {
   ]);
 }
 
+/** @param {State} state @param {Catalog} catalog @param {"/lut" | "/lut/errors"} route @param {string[]} [more] */
+export function lutPath(state, catalog, route, more = []) {
+  const model = codeOf(state, withCode(state));
+  return path(route, [
+    model === "exact" ? "" : `model=${model}`,
+    ...mediaQuery(state, catalog),
+    ...parameterQuery(state, catalog.models, [model]),
+    ...more,
+  ]);
+}
+
+/** The table in RGB of a material whose spectrum is known, for the exact curve. @param {State} state @param {Catalog} catalog */
+export function rgbLutPath(state, { materials }) {
+  const { material } = state;
+  const known = materials.find((m) => m.id === material)?.n_range_nm;
+  const exact = codeOf(state, withCode(state)) === "exact";
+  return exact && known
+    ? path("/lut", [`material=${material}`, `n_i=${state.n_i}`, "channels=3"])
+    : null;
+}
+
 /**
  * Paths by name, in the order of their importance. While something moves only the curves are asked
  * for, and the map as soon as it stands still.
@@ -145,6 +166,7 @@ export function later(state, catalog) {
   wanted.convert = convertPath(state);
   wanted.recommend = recommendPath(state, catalog);
   wanted.shader = snippetPath(state, withCode(state));
+  wanted.lut = lutPath(state, catalog, "/lut/errors");
   return wanted;
 }
 

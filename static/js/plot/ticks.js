@@ -35,14 +35,10 @@ function multiples(low, high, step) {
 /**
  * Every second, third … of the ticks, so that they stand at least `spacing` px apart.
  * @param {Tick[]} ticks ascending, equally spaced
- * @param {number} span of the axis's values
- * @param {number} length px
+ * @param {number} apart px from one to the next
  * @param {number} spacing px
  */
-function thinned(ticks, span, length, spacing) {
-  const [first, second] = ticks;
-  if (!first || !second) return ticks;
-  const apart = (Math.abs(second.value - first.value) / span) * length;
+function thinned(ticks, apart, spacing) {
   const every = Math.max(1, Math.ceil(spacing / apart - 1e-9));
   const last = ticks.length - 1;
   // The ends of a range are kept where the count allows: 0, 30, 60, 90 and not 0, 45.
@@ -52,7 +48,7 @@ function thinned(ticks, span, length, spacing) {
 
 /**
  * Ticks of an axis of a length.
- * @param {Pick<Axis, "ticks" | "unit">} axis
+ * @param {Pick<Axis, "ticks" | "unit" | "scale">} axis
  * @param {readonly [number, number]} range
  * @param {number} length px
  * @param {number} spacing smallest distance of two ticks in px
@@ -73,7 +69,10 @@ export function axisTicks(axis, range, length, spacing) {
       value,
       label: text[index] ?? plain(value, 12) + suffix,
     }));
-    return thinned(given, span, length, spacing);
+    const place = axis.scale === "log" ? Math.log10 : Number;
+    const whole = place(high) - place(low) || 1;
+    const apart = (Math.abs(place(values[1] ?? high) - place(values[0] ?? low)) / whole) * length;
+    return thinned(given, apart, spacing);
   }
   const least = (spacing / Math.max(length, 1)) * span;
   const step =

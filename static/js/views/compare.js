@@ -8,7 +8,7 @@ import { compareFields, isMap, withCode } from "../compare/fields.js";
 import { createFigure } from "../compare/figure.js";
 import { short } from "../compare/metrics.js";
 import { createPlots } from "../compare/plots.js";
-import { later, queries, restCalls } from "../compare/queries.js";
+import { later, lutPath, queries, restCalls, rgbLutPath } from "../compare/queries.js";
 import { createRecommend } from "../compare/recommend.js";
 import { createTable } from "../compare/table.js";
 import { h } from "../dom.js";
@@ -16,6 +16,7 @@ import { createDefinitions } from "../explore/definitions.js";
 import { angle } from "../format.js";
 import { createSnippets } from "../snippets/panel.js";
 import { loadStyle } from "../style.js";
+import { createTables } from "../tables/panel.js";
 
 export { later, queries, restCalls };
 export const fields = compareFields;
@@ -80,6 +81,16 @@ export function createView({
     convert.element,
     snippets.element,
   );
+  const tables = createTables({
+    parent: element,
+    models,
+    actions,
+    address: (now, more) => `api/v1${lutPath(now, catalog, "/lut", more)}`,
+    rgb: (now) => {
+      const found = rgbLutPath(now, catalog);
+      return found && `api/v1${found}`;
+    },
+  });
 
   /** @type {Record<string, {title: string, lines: string[]}>} what went wrong, by the query's name */
   const problems = {};
@@ -129,6 +140,7 @@ export function createView({
         recommend.update(now, answers.recommend, problems.recommend);
         convert.update(now, answers.convert, problems.convert);
         snippets.update(now, withCode(now), fresh.shader, problems.shader);
+        tables.update(now, withCode(now), fresh.lut, problems.lut);
       }
     },
 
@@ -146,10 +158,11 @@ export function createView({
 
     /** @param {string} name @param {{title: string, lines: string[]}} problem */
     problem(name, problem) {
-      if (name !== "recommend" && name !== "convert" && name !== "shader") return false;
+      if (!["recommend", "convert", "shader", "lut"].includes(name)) return false;
       problems[name] = problem;
       if (name === "recommend") recommend.update(state(), before.recommend, problem);
       else if (name === "shader") snippets.update(state(), withCode(state()), null, problem);
+      else if (name === "lut") tables.update(state(), withCode(state()), null, problem);
       else convert.update(state(), before.convert, problem);
       return true;
     },
@@ -157,6 +170,7 @@ export function createView({
     theme() {
       plots.theme();
       figure.theme();
+      tables.theme();
     },
     deactivate() {
       clearTimeout(settling);
@@ -167,6 +181,7 @@ export function createView({
       controls.stop();
       plots.destroy();
       figure.destroy();
+      tables.destroy();
     },
   };
 }
