@@ -51,7 +51,7 @@ COMPILE := uv pip compile --no-config --universal --python-version 3.11 --genera
 lock: $(BIN)/python ## recompute the hash-locked requirement files from pyproject.toml
 	$(INSTALL) uv
 	$(COMPILE) pyproject.toml --group build -o requirements.lock
-	$(COMPILE) pyproject.toml --extra arrow --group build --group test -c requirements.lock -o requirements-test.lock
+	$(COMPILE) pyproject.toml --extra arrow --extra cluster --group build --group test -c requirements.lock -o requirements-test.lock
 	$(COMPILE) --group node -o requirements-node.lock
 
 audit: $(BIN)/python ## look the locked dependencies up among the known vulnerabilities

@@ -8,6 +8,7 @@ import typer
 from pydantic import ValidationError
 
 from app import __version__, server
+from app.commands.evaluate import evaluate
 from app.settings import Settings
 
 cli = typer.Typer(
@@ -58,6 +59,9 @@ def serve(
             f"Fresnel Explorer {__version__} at {url}", err=settings.access_log
         ),
     )
+
+
+cli.command()(evaluate)
 
 
 def main() -> None:

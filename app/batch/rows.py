@@ -38,6 +38,11 @@ class Fault(NamedTuple):
     value: object
     message: str
 
+    def __str__(self) -> str:
+        """In one line."""
+        given = "" if self.value is None else f" = {self.value}"
+        return f"{self.parameter}{given}: {self.message}"
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rows:

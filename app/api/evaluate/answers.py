@@ -93,7 +93,7 @@ def _csv_piece(piece: Piece, outcome: Outcome) -> bytes:
     if not wrong:
         lines = [b"%d,%s," % pair for pair in zip(items.tolist(), numbers, strict=True)]
     else:
-        told = {piece.first + i: _csv_field(_sentence(fault)) for i, fault in wrong.items()}
+        told = {piece.first + i: _csv_field(str(_clipped(fault))) for i, fault in wrong.items()}
         lines = [
             b"%d,,%s" % (item, told[item]) if item in told else b"%d,%s," % (item, number)
             for item, number in zip(items.tolist(), numbers, strict=True)
@@ -126,7 +126,7 @@ def _arrow_piece(piece: Piece, outcome: Outcome) -> bytes:
     items, values = np.repeat(numbers, piece.counts), outcome.values
     errors = pa.nulls(items.size, pa.string())
     if wrong:
-        told = {piece.first + item: _sentence(fault) for item, fault in wrong.items()}
+        told = {piece.first + item: str(_clipped(fault)) for item, fault in wrong.items()}
         errors = pa.array([told.get(item) for item in items.tolist()], pa.string())
         values = np.where(np.isin(items, list(told)), np.nan, values)
     columns = [pa.array(items), pa.array(values, from_pandas=True), errors]
@@ -152,11 +152,6 @@ def by_item(piece: Piece, outcome: Outcome) -> dict[int, Fault]:
     for item, row in zip(items, rows, strict=True):
         wrong.setdefault(item, outcome.faults[row])
     return wrong
-
-
-def _sentence(fault: Fault) -> str:
-    parameter, value, message = _clipped(fault)
-    return f"{parameter}: {message}" if value is None else f"{parameter} = {value}: {message}"
 
 
 def _clipped(fault: Fault) -> Fault:
