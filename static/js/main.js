@@ -24,6 +24,7 @@ const VIEWS = [
   { id: "compare", title: "Compare", load: () => import("./views/compare.js"), reads: "models" },
   { id: "albedo", title: "Albedo", load: () => import("./views/albedo.js") },
   { id: "materials", title: "Materials", load: () => import("./views/materials.js") },
+  { id: "preview", title: "Preview", load: () => import("./views/preview.js") },
   { id: "theory", title: "Theory", load: () => import("./views/theory.js") },
 ];
 

@@ -1,0 +1,82 @@
+/** The state that the Preview view adds to the one all views share. */
+
+import { parameterFields } from "../model-parameters.js";
+import { choice, LinkError, number } from "../state.js";
+
+/**
+ * @typedef {import('../types.js').Catalog} Catalog
+ * @typedef {import('../types.js').State} State
+ * @typedef {import('../state.js').Field} Field
+ */
+
+/** Without any reflection, as in Wloka's figure 14; all else is a registered model. */
+export const NONE = "none";
+
+export const BOUNDS = {
+  texels: { default: 16, minimum: 2, maximum: 4096 },
+  gain: { default: 5, minimum: 1, maximum: 20 },
+  split: { default: 0.5, minimum: 0, maximum: 1 },
+  yaw: { default: 0, minimum: -180, maximum: 180 },
+  pitch: { default: 11, minimum: 2, maximum: 85 },
+  distance: { default: 6.2, minimum: 3.4, maximum: 14 },
+};
+
+/** A color as style sheets write it. @param {string} preset @returns {Field} */
+function hex(preset) {
+  return {
+    default: preset,
+    parse(text) {
+      if (!/^#?[0-9a-f]{6}$/i.test(text))
+        throw new LinkError("allowed are six digits, such as b3201e");
+      return `#${text.replace("#", "").toLowerCase()}`;
+    },
+    print: (value) => value.slice(1),
+  };
+}
+
+/** @param {Field} field @returns {Field} */
+function whole(field) {
+  return {
+    ...field,
+    parse(text) {
+      const value = field.parse(text);
+      if (!Number.isInteger(value)) throw new LinkError("allowed is a whole number");
+      return value;
+    },
+  };
+}
+
+/** @param {Catalog} catalog @returns {Record<string, Field>} */
+export function previewFields({ models }) {
+  const ids = [...models.map((m) => m.id), NONE];
+  const by = ["pixel", "vertex", "texture"];
+  return {
+    scene: choice("ball", ["ball", "water"]),
+    left: choice("exact", ids),
+    right: choice(ids.includes("schlick") ? "schlick" : "exact", ids),
+    left_by: choice("pixel", by),
+    right_by: choice("pixel", by),
+    texels: whole(number(BOUNDS.texels)),
+    see: choice("split", ["split", "flicker", "difference", "left", "right"]),
+    split: number(BOUNDS.split),
+    gain: number(BOUNDS.gain),
+    body: choice("paint", ["paint", "clear"]),
+    paint: hex("#a81c22"),
+    sky: choice("day", ["day", "even"]),
+    colors: choice("rgb", ["rgb", "single"]),
+    yaw: number(BOUNDS.yaw),
+    pitch: number(BOUNDS.pitch),
+    distance: number(BOUNDS.distance),
+    ...parameterFields(models),
+  };
+}
+
+/** Whether what enters the chosen medium never comes back. @param {State} state */
+export const isOpaque = ({ k_t }) => k_t > 0;
+
+/** Whether the ball is coated paint here. @param {State} state */
+export const isPaint = (state) =>
+  state.scene === "ball" && state.body === "paint" && !isOpaque(state);
+
+/** Whether light comes evenly from everywhere, which shows the ball alone. @param {State} state */
+export const isEven = ({ scene, sky }) => scene === "ball" && sky === "even";

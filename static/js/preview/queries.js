@@ -1,0 +1,146 @@
+/** What the Preview view asks the server for. */
+
+import { isDispersive } from "../constants.js";
+import { parameterQuery, stateName } from "../model-parameters.js";
+import { isEven, isPaint, NONE } from "./fields.js";
+
+/**
+ * @typedef {import('../types.js').Catalog} Catalog
+ * @typedef {import('../types.js').State} State
+ * @typedef {'left' | 'right'} Side
+ */
+
+export const SIDES = /** @type {const} */ (["left", "right"]);
+export const CHANNELS = /** @type {const} */ (["red", "green", "blue"]);
+/** Steps of an eighth of a degree, and more digits than a picture can show. */
+const FINE = ["samples=721", "digits=7"];
+/** Wavelengths that stand for R, G and B where a model takes an index and no color. */
+const CHANNEL_NM = { red: 630, green: 532, blue: 465 };
+const WATER = 1.333;
+/** Parameters that a color gives. */
+const COLORS = ["F0", "F82", "tint"];
+
+/** @param {string} route @param {string[]} parts */
+const path = (route, parts) => `${route}?${parts.filter(Boolean).join("&")}`;
+
+/** @param {State} state @param {Catalog} catalog @param {string[]} names @returns {string[]} */
+function media(state, { parameters }, names) {
+  return names
+    .filter((name) => state[name] !== parameters.find((p) => p.name === name)?.default)
+    .map((name) => `${name}=${state[name]}`);
+}
+
+/** The material whose colors can be shown, if there is one. @param {State} state @param {Catalog} catalog */
+export function coloredMaterial({ material, wavelength_nm, incident }, { materials }) {
+  const found = materials.find((m) => m.id === material);
+  const front = materials.find((m) => m.id === incident);
+  const [low, high] = found?.n_range_nm ?? [Infinity, 0];
+  const [first, last] = front?.n_range_nm ?? [0, Infinity];
+  const covered = Math.max(low, first) <= CHANNEL_NM.blue && Math.min(high, last) >= CHANNEL_NM.red;
+  return found?.kind === "spectrum" && covered && wavelength_nm === null ? found : null;
+}
+
+/** Whether a model can be had from a material's color alone. @param {State} state @param {Catalog} catalog @param {string} id */
+function takesColor(state, { models }, id) {
+  if (id === "exact") return true;
+  const model = models.find((m) => m.id === id);
+  const solved = (model?.parameters ?? []).filter((p) => p.default === null);
+  return (
+    model !== undefined &&
+    solved.some((p) => p.name === "F0") &&
+    solved.every((p) => COLORS.includes(p.name)) &&
+    model.parameters.every((p) => (state[stateName(model, p)] ?? null) === p.default)
+  );
+}
+
+/**
+ * Paths of a side's curves: one, or one for each channel; none where nothing is reflected.
+ * @param {State} state
+ * @param {Catalog} catalog
+ * @param {Side} side
+ * @returns {Record<string, string>}
+ */
+export function sidePaths(state, catalog, side) {
+  const model = state[side];
+  if (model === NONE) return {};
+  const chosen = [
+    model === "exact" ? "" : `models=${model}`,
+    ...parameterQuery(state, catalog.models, [model]),
+  ];
+  const material = state.colors === "rgb" ? coloredMaterial(state, catalog) : null;
+  if (!material)
+    return {
+      [side]: path("/curves", [
+        ...media(state, catalog, ["n_i", "n_t", "k_t"]),
+        ...chosen,
+        ...FINE,
+      ]),
+    };
+  const front = isDispersive(catalog.materials.find((m) => m.id === state.incident))
+    ? [`incident=${state.incident}`]
+    : media(state, catalog, ["n_i"]);
+  if (takesColor(state, catalog, model)) {
+    const beside = `models=${model === "exact" ? "schlick" : model}`;
+    return {
+      [side]: path(`/materials/${material.id}/curves`, [
+        ...front,
+        beside,
+        "wavelengths_nm=550",
+        ...FINE,
+      ]),
+    };
+  }
+  return Object.fromEntries(
+    CHANNELS.map((channel) => [
+      `${side}.${channel}`,
+      path("/curves", [
+        ...front,
+        `material=${material.id}`,
+        `wavelength_nm=${CHANNEL_NM[channel]}`,
+        ...chosen,
+        ...FINE,
+      ]),
+    ]),
+  );
+}
+
+/** Linear shares of a color as style sheets write it. @param {string} color @returns {number[]} */
+export function linear(color) {
+  return [1, 3, 5].map((at) => {
+    const c = Number.parseInt(color.slice(at, at + 2), 16) / 255;
+    return Number((c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4).toPrecision(6));
+  });
+}
+
+/** @param {State} state @param {Catalog} catalog @returns {Record<string, string>} */
+function coatPaths(state, catalog) {
+  if (!isPaint(state)) return {};
+  const albedo = linear(state.paint);
+  return Object.fromEntries(
+    CHANNELS.map((channel, i) => [
+      `coat.${channel}`,
+      path("/albedo/coat", [...media(state, catalog, ["n_i", "n_t"]), `body_albedo=${albedo[i]}`]),
+    ]),
+  );
+}
+
+/**
+ * Paths by name, in the order of their importance.
+ * @param {State} state
+ * @param {Catalog} catalog
+ * @returns {Record<string, string>}
+ */
+export function queries(state, catalog) {
+  return {
+    ...sidePaths(state, catalog, "right"),
+    ...sidePaths(state, catalog, "left"),
+    ...coatPaths(state, catalog),
+    ...(state.scene === "ball" &&
+      !isEven(state) && { water: path("/curves", [`n_t=${WATER}`, ...FINE]) }),
+  };
+}
+
+/** @param {State} state @param {Catalog} catalog @returns {string[]} */
+export function restCalls(state, catalog) {
+  return [...new Set(Object.values(queries(state, catalog)))];
+}

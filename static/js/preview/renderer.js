@@ -1,0 +1,295 @@
+/** Draws the scene by WebGL2: each side into a linear picture, and both onto the canvas. */
+
+import { boundsOf, distanceTo, rowsBelow } from "./camera.js";
+import { BALLS, EVEN, fragment, INTERVALS, ROWS, VERTEX } from "./shader.js";
+
+/**
+ * @typedef {import('./shader.js').Variant} Variant
+ * @typedef {import('./camera.js').Camera} Camera
+ * @typedef {'left' | 'right' | 'split' | 'difference'} Show
+ * @typedef {object} Picture
+ * @property {Camera} camera
+ * @property {{left: Variant, right: Variant}} sides
+ * @property {number} eta n_i / n_t
+ * @property {readonly number[]} escape
+ * @property {number} external
+ * @property {Show} show
+ * @property {number} split from 0 to 1
+ * @property {number} gain of the difference
+ * @typedef {{program: WebGLProgram, at: (name: string) => WebGLUniformLocation | null}} Program
+ */
+
+const SIDES = /** @type {const} */ (["left", "right"]);
+const SHOWS = { left: 0, right: 1, split: 2, difference: 3 };
+const TEXELS = INTERVALS + 1;
+
+/** @param {HTMLCanvasElement} canvas @returns {ReturnType<typeof createWith> | null} null without WebGL2 and float targets */
+export function createRenderer(canvas) {
+  const gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false });
+  return gl?.getExtension("EXT_color_buffer_float") ? createWith(gl) : null;
+}
+
+/** @param {WebGL2RenderingContext} gl */
+function createWith(gl) {
+  const vertex = compile(gl.VERTEX_SHADER, VERTEX);
+  /** @type {Map<string, Program>} */
+  const programs = new Map();
+  const curves = texture(gl.NEAREST);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, TEXELS, 3, 0, gl.RGBA, gl.FLOAT, null);
+  const tables = { left: texture(gl.LINEAR), right: texture(gl.LINEAR) };
+  const sizes = { left: 2, right: 2 };
+  const frames = { left: target(), right: target() };
+  const measured = target();
+
+  /** @param {number} kind @param {string} source */
+  function compile(kind, source) {
+    const shader = /** @type {WebGLShader} */ (gl.createShader(kind));
+    gl.shaderSource(shader, source);
+    gl.compileShader(shader);
+    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost())
+      throw new Error(gl.getShaderInfoLog(shader) ?? "a shader does not compile");
+    return shader;
+  }
+
+  /** @param {string} pass @param {Variant} variant @returns {Program} */
+  function programOf(pass, variant) {
+    const source = fragment(pass, variant);
+    let found = programs.get(source);
+    if (!found) {
+      const program = gl.createProgram();
+      const shader = compile(gl.FRAGMENT_SHADER, source);
+      gl.attachShader(program, vertex);
+      gl.attachShader(program, shader);
+      gl.linkProgram(program);
+      gl.deleteShader(shader);
+      if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost())
+        throw new Error(gl.getProgramInfoLog(program) ?? "a program does not link");
+      /** @type {Map<string, WebGLUniformLocation | null>} */
+      const places = new Map();
+      const at = (/** @type {string} */ name) => {
+        if (!places.has(name)) places.set(name, gl.getUniformLocation(program, name));
+        return places.get(name) ?? null;
+      };
+      found = { program, at };
+      programs.set(source, found);
+    }
+    gl.useProgram(found.program);
+    return found;
+  }
+
+  /** @param {number} filter */
+  function texture(filter) {
+    const made = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, made);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+    return made;
+  }
+
+  function target() {
+    const picture = texture(gl.LINEAR);
+    const frame = gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, picture, 0);
+    return { picture, frame, size: [0, 0] };
+  }
+
+  /**
+   * @param {ReturnType<typeof target>} one
+   * @param {readonly [number, number]} size
+   * @param {number} format
+   */
+  function resize(one, size, format) {
+    if (one.size[0] === size[0] && one.size[1] === size[1]) return;
+    gl.bindTexture(gl.TEXTURE_2D, one.picture);
+    const [width, height] = size;
+    const [type] = format === gl.RGBA8 ? [gl.UNSIGNED_BYTE] : [gl.HALF_FLOAT];
+    gl.texImage2D(gl.TEXTURE_2D, 0, format, width, height, 0, gl.RGBA, type, null);
+    one.size = [width, height];
+  }
+
+  /** @param {number} unit @param {WebGLTexture | null} one */
+  function bind(unit, one) {
+    gl.activeTexture(gl.TEXTURE0 + unit);
+    gl.bindTexture(gl.TEXTURE_2D, one);
+    gl.activeTexture(gl.TEXTURE0);
+  }
+
+  /**
+   * One side of the scene.
+   * @param {'left' | 'right'} side
+   * @param {Picture} picture
+   * @param {readonly [number, number]} size
+   * @param {readonly [number, number]} columns from, to
+   */
+  function drawSide(side, picture, size, columns) {
+    const { camera } = picture;
+    const variant = picture.sides[side];
+    const [left, right] = columns;
+    if (right <= left) return;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frames[side].frame);
+    gl.viewport(0, 0, ...size);
+    bind(0, curves);
+    bind(1, tables[side]);
+
+    /** @param {string} pass @param {readonly [number, number, number, number]} box @param {(at: Program['at']) => void} [more] */
+    const draw = (pass, [x, y, width, height], more) => {
+      const from = Math.max(left, x);
+      const to = Math.min(right, x + width);
+      if (to <= from || height <= 0) return;
+      gl.scissor(from, y, to - from, height);
+      const { at } = programOf(pass, variant);
+      gl.uniform2f(at("u_size"), ...size);
+      gl.uniformMatrix3fv(at("u_camera"), false, camera.axes);
+      gl.uniform3f(at("u_eye"), ...camera.eye);
+      gl.uniform1f(at("u_lens"), camera.lens);
+      gl.uniform1i(at("u_row"), ROWS[side]);
+      gl.uniform1i(at("u_curves"), 0);
+      gl.uniform1i(at("u_table"), 1);
+      gl.uniform1f(at("u_texels"), sizes[side]);
+      gl.uniform1f(at("u_eta"), picture.eta);
+      gl.uniform3fv(at("u_escape"), picture.escape);
+      gl.uniform1f(at("u_external"), picture.external);
+      more?.(at);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+    };
+
+    gl.enable(gl.SCISSOR_TEST);
+    gl.disable(gl.BLEND);
+    if (variant.even) {
+      gl.scissor(left, 0, right - left, size[1]);
+      gl.clearColor(EVEN, EVEN, EVEN, 0);
+      gl.clear(gl.COLOR_BUFFER_BIT);
+    } else {
+      const rows = rowsBelow(camera, size);
+      draw("sky", [0, rows, size[0], size[1] - rows]);
+      draw("water", [0, 0, size[0], rows]);
+    }
+    gl.enable(gl.BLEND);
+    const names = /** @type {(keyof typeof BALLS)[]} */ (
+      variant.even ? ["ball"] : Object.keys(BALLS)
+    );
+    names.sort((a, b) => distanceTo(camera, BALLS[b]) - distanceTo(camera, BALLS[a]));
+    for (const name of names) {
+      const box = boundsOf(camera, BALLS[name], size);
+      if (!box) continue;
+      const ball = name === "ball";
+      // The fourth channel stays 1 where the chosen surface is seen.
+      const own = ball && !variant.water;
+      gl.blendFuncSeparate(
+        gl.ONE,
+        gl.ONE_MINUS_SRC_ALPHA,
+        own ? gl.ONE : gl.ZERO,
+        gl.ONE_MINUS_SRC_ALPHA,
+      );
+      draw(ball ? "ball" : "thing", box, (at) => {
+        if (!ball) gl.uniform1i(at("u_thing"), name === "buoy" ? 0 : 1);
+      });
+    }
+    gl.disable(gl.BLEND);
+    gl.disable(gl.SCISSOR_TEST);
+  }
+
+  /**
+   * @param {Picture} picture
+   * @param {WebGLFramebuffer | null} onto
+   * @param {readonly [number, number]} size
+   * @param {Show} show
+   */
+  function present(picture, onto, size, show) {
+    gl.bindFramebuffer(gl.FRAMEBUFFER, onto);
+    gl.viewport(0, 0, ...size);
+    const { at } = programOf("present", picture.sides.left);
+    bind(0, frames.left.picture);
+    bind(1, frames.right.picture);
+    gl.uniform1i(at("u_left"), 0);
+    gl.uniform1i(at("u_right"), 1);
+    gl.uniform2f(at("u_size"), ...size);
+    gl.uniform1i(at("u_show"), SHOWS[show]);
+    gl.uniform1f(at("u_split"), picture.split * size[0]);
+    gl.uniform1f(at("u_gain"), picture.gain);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  /** @param {readonly [number, number]} size @param {number} scale @returns {[number, number]} */
+  const scaled = ([width, height], scale) => [
+    Math.max(1, Math.round(width * scale)),
+    Math.max(1, Math.round(height * scale)),
+  ];
+
+  return {
+    /** @param {keyof typeof ROWS} name @param {Float32Array} texels four numbers each */
+    setCurve(name, texels) {
+      gl.bindTexture(gl.TEXTURE_2D, curves);
+      const row = ROWS[name];
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, row, TEXELS, 1, gl.RGBA, gl.FLOAT, texels);
+    },
+
+    /** @param {'left' | 'right'} side @param {Uint8Array} texels four bytes each */
+    setTable(side, texels) {
+      gl.bindTexture(gl.TEXTURE_2D, tables[side]);
+      sizes[side] = texels.length / 4;
+      gl.texImage2D(
+        gl.TEXTURE_2D,
+        0,
+        gl.RGBA8,
+        sizes[side],
+        1,
+        0,
+        gl.RGBA,
+        gl.UNSIGNED_BYTE,
+        texels,
+      );
+    },
+
+    /**
+     * @param {Picture} picture
+     * @param {number} scale points of the scene to a pixel of the canvas, along each side
+     */
+    draw(picture, scale) {
+      const canvas = gl.canvas;
+      const inner = scaled([canvas.width, canvas.height], scale);
+      const { show } = picture;
+      const cut = Math.min(inner[0], Math.max(0, Math.ceil(picture.split * inner[0]) + 1));
+      const back = Math.max(0, Math.floor(picture.split * inner[0]) - 1);
+      for (const side of SIDES) {
+        resize(frames[side], inner, gl.RGBA16F);
+        if (show === "left" || show === "right") {
+          if (side === show) drawSide(side, picture, inner, [0, inner[0]]);
+        } else if (show === "split")
+          drawSide(side, picture, inner, side === "left" ? [0, cut] : [back, inner[0]]);
+        else drawSide(side, picture, inner, [0, inner[0]]);
+      }
+      present(picture, null, [canvas.width, canvas.height], show);
+    },
+
+    /**
+     * Both sides as 8-bit sRGB; the fourth byte tells where the chosen surface is seen.
+     * @param {Picture} picture
+     * @param {readonly [number, number]} size
+     */
+    read(picture, size) {
+      resize(measured, size, gl.RGBA8);
+      const [left, right] = SIDES.map((side) => {
+        resize(frames[side], size, gl.RGBA16F);
+        drawSide(side, picture, size, [0, size[0]]);
+        present(picture, measured.frame, size, side);
+        const bytes = new Uint8Array(4 * size[0] * size[1]);
+        gl.readPixels(0, 0, ...size, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+        return bytes;
+      });
+      return {
+        left: /** @type {Uint8Array} */ (left),
+        right: /** @type {Uint8Array} */ (right),
+      };
+    },
+
+    destroy() {
+      gl.getExtension("WEBGL_lose_context")?.loseContext();
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof createWith>} Renderer */

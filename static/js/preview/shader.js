@@ -1,0 +1,426 @@
+/**
+ * The scene: a ball over water with a checkered floor, two matte balls in it, a sky. Each surface is
+ * drawn by a fragment shader of its own over the rectangle that holds it, with no branch that a software
+ * renderer would have to walk on both sides. Reflectance is read from textures that hold the server's
+ * curves; there is no formula of R here. Light is linear until it is presented.
+ */
+
+/** Intervals of a curve's texture over cos(theta_i), which has a texel more. */
+export const INTERVALS = 1024;
+/** Rows of that texture. */
+export const ROWS = { left: 0, right: 1, water: 2 };
+/** What a texel holds where the model is undefined. */
+export const UNDEFINED = 1e9;
+/** Radiance of the even light, in every channel. */
+export const EVEN = 1;
+/** How R is evaluated. */
+export const HOW = { pixel: 0, vertex: 1, texture: 2 };
+/** What is below the chosen surface. */
+export const BODY = { opaque: 0, clear: 1, paint: 2 };
+
+/** Centers and radii. */
+export const BALLS = {
+  ball: { center: [0, 1.12, 0], radius: 1 },
+  buoy: { center: [-2.1, 0.12, -2.3], radius: 0.62 },
+  stone: { center: [1.9, 0, -1.5], radius: 0.45 },
+};
+
+export const VERTEX = `#version 300 es
+void main() {
+  // One triangle that covers the picture; scissors cut it.
+  gl_Position = vec4(4.0 * float(gl_VertexID & 1) - 1.0, 2.0 * float(gl_VertexID & 2) - 1.0, 0.0, 1.0);
+}`;
+
+/** @param {number} x */
+const float = (x) => (Number.isInteger(x) ? x.toFixed(1) : String(x));
+/** @param {{center: number[], radius: number}} ball */
+const ballOf = ({ center, radius }) => `vec4(${[...center, radius].map(float).join(", ")})`;
+
+const COMMON = `
+precision highp float;
+precision highp sampler2D;
+const int LAST = ${INTERVALS};
+const int WATER = ${ROWS.water};
+const float UNDEFINED = ${UNDEFINED.toExponential()};
+const vec3 EVEN = vec3(${float(EVEN)});
+
+const vec4 BALL = ${ballOf(BALLS.ball)};
+const vec4 BUOY = ${ballOf(BALLS.buoy)};
+const vec4 STONE = ${ballOf(BALLS.stone)};
+const float DEPTH = 1.5;
+const float WATER_ETA = 0.75;
+// Meshes for R per vertex: parts of an octahedron's edge, and the side of the water's cells.
+const float PARTS = 4.0;
+const float CELL = 2.5;
+
+const vec3 SUN = normalize(vec3(-0.62, 0.46, -0.55));
+const vec3 SUN_BELOW = normalize(vec3(-0.465, 0.794, -0.4125)); // refracted by water of n = 4/3
+const vec3 SUNLIGHT = vec3(0.85, 0.73, 0.56); // irradiance over pi
+const vec3 SKYLIGHT = vec3(0.50, 0.62, 0.80);
+
+uniform vec2 u_size;
+uniform mat3 u_camera;     // right, up, forward
+uniform vec3 u_eye;
+uniform float u_lens;      // tangent of half the angle that the shorter side sees
+uniform int u_row;         // of the side's curve
+uniform float u_texels;
+uniform sampler2D u_curves;
+uniform sampler2D u_table;
+uniform float u_eta;       // n_i / n_t
+uniform vec3 u_escape;     // of the light in the paint the share that comes out again, over 1 - u_external
+uniform float u_external;  // albedo of the surface for diffuse light
+out vec4 color;
+
+float pixelAngle() { return 2.0 * u_lens / min(u_size.x, u_size.y); }
+
+vec3 direction() {
+  vec2 q = (2.0 * gl_FragCoord.xy - u_size) / min(u_size.x, u_size.y) * u_lens;
+  return normalize(u_camera * vec3(q, 1.0));
+}
+
+vec3 sky(vec3 d) {
+#ifdef EVEN_LIGHT
+  return EVEN;
+#else
+  float up = max(d.y, 0.0);
+  float low = 1.0 - up;
+  float low2 = low * low, low4 = low2 * low2, low8 = low4 * low4;
+  vec3 c = mix(vec3(0.055, 0.150, 0.380), vec3(0.235, 0.430, 0.700), low2);
+  float s = max(dot(d, SUN), 0.0);
+  float s2 = s * s, s4 = s2 * s2, s8 = s4 * s4, s32 = s8 * s8 * s8 * s8;
+  c = mix(c, mix(vec3(0.62, 0.70, 0.78), vec3(0.98, 0.80, 0.58), s4), low8 * (0.75 + 0.25 * low8));
+  c += vec3(0.16, 0.11, 0.05) * s8 + vec3(0.30, 0.22, 0.12) * s32 * s32;
+  return c + vec3(3.0, 2.7, 2.2) * smoothstep(0.9990, 0.9995, s);
+#endif
+}
+
+vec3 matte(vec3 N, vec3 albedo) {
+#ifdef EVEN_LIGHT
+  return albedo * EVEN;
+#else
+  return albedo * (SUNLIGHT * max(dot(N, SUN), 0.0) + SKYLIGHT * (0.62 + 0.38 * N.y));
+#endif
+}
+
+vec3 buoy(vec3 N) {
+  return matte(N, mix(vec3(0.78, 0.76, 0.70), vec3(0.72, 0.16, 0.08), smoothstep(0.30, 0.33, N.y)));
+}
+vec3 stone(vec3 N) { return matte(N, vec3(0.86, 0.62, 0.20)); }
+
+const float FAR = 1e6;
+
+/** Where a ball is hit, or FAR. */
+float hit(vec3 from, vec3 d, vec4 ball) {
+  vec3 away = from - ball.xyz;
+  float b = dot(away, d);
+  float h = b * b - dot(away, away) + ball.w * ball.w;
+  float t = -b - sqrt(max(h, 0.0));
+  return h > 0.0 && t > 0.0 ? t : FAR;
+}
+
+/** The matte balls, if they are nearer than what has been seen. */
+void things(vec3 from, vec3 d, inout float nearest, inout vec3 c) {
+  float t = hit(from, d, BUOY);
+  c = t < nearest ? buoy((from + t * d - BUOY.xyz) / BUOY.w) : c;
+  nearest = min(nearest, t);
+  t = hit(from, d, STONE);
+  c = t < nearest ? stone((from + t * d - STONE.xyz) / STONE.w) : c;
+  nearest = min(nearest, t);
+}
+
+/** Squares of side 1, averaged over a width. */
+float checkers(vec2 p, float width) {
+  float w = max(width, 1e-3);
+  vec2 i = 2.0 * (abs(fract((p - 0.5 * w) * 0.5) - 0.5) - abs(fract((p + 0.5 * w) * 0.5) - 0.5)) / w;
+  return 0.5 - 0.5 * i.x * i.y;
+}
+
+/** The floor below the water in a direction, and how far it is. */
+vec3 ground(vec3 from, vec3 d, float way, out float t) {
+  float down = max(-d.y, 0.02);
+  t = (from.y + DEPTH) / down;
+  vec3 p = from + t * d;
+  float squares = checkers(p.xz * 0.8, 0.8 * pixelAngle() * (way + t) / max(down, 0.05));
+  vec3 albedo = mix(vec3(0.26, 0.33, 0.36), vec3(0.90, 0.89, 0.84), squares);
+  // The ball's shadow: from the floor along the refracted ray to the surface, then toward the sun.
+  vec3 toward = BALL.xyz - p - SUN_BELOW * (DEPTH / SUN_BELOW.y);
+  float along = dot(toward, SUN);
+  float sun = smoothstep(0.72, 1.36, dot(toward, toward) - along * along);
+  return albedo * (SUNLIGHT * sun + 0.55 * SKYLIGHT);
+}
+
+/** What the water leaves of the light over a way. */
+vec3 murk(float t) { return exp(-vec3(0.42, 0.11, 0.075) * min(t, 12.0)); }
+
+vec3 ripples(vec3 p, float way) {
+  float steep = 0.013 / (1.0 + 0.024 * way * way);
+  float a = cos(dot(p.xz, vec2(3.1, 1.7)));
+  float b = cos(dot(p.xz, vec2(-1.9, 4.3)) + 1.0);
+  float c = cos(dot(p.xz, vec2(6.7, -2.3)) + 2.0);
+  return normalize(vec3(-steep * (a + 0.6 * b + 0.7 * c), 1.0, -steep * (0.6 * a + b - 0.5 * c)));
+}
+
+vec3 curve(int row, float mu) {
+  float at = clamp(mu, 0.0, 1.0) * float(LAST);
+  int i = min(int(at), LAST - 1);
+  vec3 a = texelFetch(u_curves, ivec2(i, row), 0).rgb;
+  vec3 b = texelFetch(u_curves, ivec2(i + 1, row), 0).rgb;
+  return max(a.r, b.r) >= UNDEFINED ? vec3(UNDEFINED) : mix(a, b, at - float(i));
+}
+
+/** R of the chosen interface. */
+vec3 R(float mu) {
+#if HOW == ${HOW.texture}
+  // The texels' centers are at (j + 1/2) / N.
+  vec2 at = vec2((clamp(mu, 0.0, 1.0) * (u_texels - 1.0) + 0.5) / u_texels, 0.5);
+  return texture(u_table, at).rgb;
+#else
+  return curve(u_row, mu);
+#endif
+}
+
+/** Shirley's mix, color = T x refracted + R x reflected, T = 1 - R; hatched where there is no R. */
+vec3 mixed(vec3 r, vec3 refracted, vec3 reflected) {
+  vec3 hatched = fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0) < 0.5 ? vec3(0.6, 0.05, 0.4) : vec3(0.25, 0.0, 0.18);
+  return r.r >= UNDEFINED ? hatched : (1.0 - r) * refracted + r * reflected;
+}
+
+/** The paint under the surface: light comes in through it from everywhere, and goes out through it. */
+vec3 paint(vec3 N) {
+#ifdef EVEN_LIGHT
+  return EVEN * (1.0 - u_external) * u_escape;
+#else
+  float mu = dot(N, SUN);
+  vec3 entering = mu > 0.0 ? clamp(1.0 - R(mu), 0.0, 1.0) : vec3(0.0);
+  return (SUNLIGHT * max(mu, 0.0) * entering + SKYLIGHT * (0.62 + 0.38 * N.y) * (1.0 - u_external)) * u_escape;
+#endif
+}
+
+/** R at a vertex of a mesh. */
+vec3 atVertex(vec3 p, vec3 N) { return curve(u_row, dot(N, normalize(u_eye - p))); }
+`;
+
+const SKY = `
+void main() { color = vec4(sky(direction()), 0.0); }`;
+
+const THING = `
+uniform int u_thing;
+void main() {
+  vec4 ball = u_thing == 0 ? BUOY : STONE;
+  vec3 d = direction(), away = u_eye - ball.xyz;
+  float b = dot(away, d);
+  float h = b * b - dot(away, away) + ball.w * ball.w;
+  float edge = ball.w * pixelAngle() * -b * 2.0;
+  vec3 p = u_eye - d * (b + sqrt(max(h, 0.0)));
+  vec3 N = normalize(p - ball.xyz);
+  float cover = clamp(0.5 + h / edge, 0.0, 1.0) * clamp(0.5 + p.y / (pixelAngle() * -b), 0.0, 1.0);
+  color = vec4((u_thing == 0 ? buoy(N) : stone(N)) * cover, cover);
+}`;
+
+const AROUND = `
+/** What the ball shows of what is around it in a direction. */
+vec3 around(vec3 from, vec3 d, float way) {
+#ifdef EVEN_LIGHT
+  return EVEN;
+#else
+  float t = min(from.y / max(-d.y, 1e-3), 400.0);
+  vec3 p = from + t * d;
+  float far = way + 3.0 * t; // a curved mirror spreads the pixel
+  float deep;
+#ifdef WATER_CHOSEN
+  vec3 r = R(-d.y);
+  vec3 b = refract(d, vec3(0.0, 1.0, 0.0), u_eta);
+#else
+  vec3 r = curve(WATER, -d.y);
+  vec3 b = refract(d, vec3(0.0, 1.0, 0.0), WATER_ETA);
+#endif
+  vec3 c = sky(vec3(d.x, abs(d.y), d.z));
+  vec3 floored = ground(p, b, far, deep);
+  c = d.y < 0.0 ? mixed(r, floored * murk(deep), c) : c;
+  float nearest = d.y < 0.0 ? t : FAR;
+  things(from, d, nearest, c);
+  return c;
+#endif
+}
+`;
+
+const BALL_PASS = `${AROUND}
+#if HOW == ${HOW.vertex}
+/** R at the corners of a triangle of an octahedron, subdivided and pushed out to the ball, between them. */
+vec3 meshed(vec3 N) {
+  vec3 signs = vec3(N.x < 0.0 ? -1.0 : 1.0, N.y < 0.0 ? -1.0 : 1.0, N.z < 0.0 ? -1.0 : 1.0);
+  vec3 b = abs(N) * (PARTS / dot(abs(N), vec3(1.0)));
+  vec3 i = min(floor(b), PARTS - 1.0);
+  vec3 f = b - i;
+  bool upright = f.x + f.y + f.z < 1.5;
+  vec3 w = upright ? f : 1.0 - f;
+  vec3 c = upright ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 1.0);
+  vec3 A = i + c, B = i + c.zxy, C = i + c.yzx;
+  // Weights in the flat triangle between the corners, seen from the center.
+  w *= vec3(length(A), length(B), length(C));
+  A = signs * normalize(A);
+  B = signs * normalize(B);
+  C = signs * normalize(C);
+  return (w.x * atVertex(BALL.xyz + A, A) + w.y * atVertex(BALL.xyz + B, B) + w.z * atVertex(BALL.xyz + C, C))
+    / (w.x + w.y + w.z);
+}
+#endif
+
+void main() {
+  vec3 d = direction(), away = u_eye - BALL.xyz;
+  float b = dot(away, d);
+  float h = b * b - dot(away, away) + 1.0;
+  float t = -b - sqrt(max(h, 0.0));
+  vec3 p = u_eye + t * d;
+  vec3 N = normalize(p - BALL.xyz);
+  float mu = clamp(-dot(d, N), 0.0, 1.0);
+  float cover = clamp(0.5 - 0.5 * h / (pixelAngle() * b), 0.0, 1.0);
+#ifdef WATER_CHOSEN
+  vec3 c = matte(N, vec3(0.80, 0.24, 0.12));
+#else
+#if HOW == ${HOW.vertex}
+  vec3 r = meshed(N);
+#else
+  vec3 r = R(mu);
+#endif
+  vec3 inner = vec3(0.0);
+#if BODY == ${BODY.paint}
+  inner = paint(N);
+#elif BODY == ${BODY.clear}
+  vec3 inside = refract(d, N, u_eta);
+  vec3 q = p - 2.0 * dot(inside, N) * inside;
+  vec3 leaving = refract(inside, BALL.xyz - q, 1.0 / u_eta);
+  // At both ends of a chord the angles are the same: as much is let out as was let in.
+  inner = dot(leaving, leaving) > 0.5 ? (1.0 - r) * around(q, leaving, t + 4.0) : vec3(0.0);
+#endif
+  vec3 c = mixed(r, inner, around(p, reflect(d, N), t));
+#endif
+  color = vec4(min(c, 4.0) * cover, cover);
+}`;
+
+const WATER_PASS = `
+#if HOW == ${HOW.vertex}
+/** R at the corners of a triangle of a square grid, between them. */
+vec3 meshed(vec3 p) {
+  vec2 q = p.xz / CELL;
+  vec2 f = fract(q);
+  bool lower = f.x + f.y < 1.0;
+  vec2 w = lower ? f : 1.0 - f;
+  vec2 a = floor(q) + (lower ? vec2(0.0) : vec2(1.0));
+  float turn = lower ? 1.0 : -1.0;
+  vec3 A = CELL * vec3(a.x, 0.0, a.y), B = A + vec3(turn * CELL, 0.0, 0.0), C = A + vec3(0.0, 0.0, turn * CELL);
+  return (1.0 - w.x - w.y) * atVertex(A, ripples(A, distance(A, u_eye)))
+    + w.x * atVertex(B, ripples(B, distance(B, u_eye)))
+    + w.y * atVertex(C, ripples(C, distance(C, u_eye)));
+}
+#endif
+
+/** What the ball shows in the water: the sky in it, or through it. */
+vec3 mirrored(vec3 p, vec3 d) {
+  vec3 N = p - BALL.xyz;
+#ifdef WATER_CHOSEN
+  return matte(N, vec3(0.80, 0.24, 0.12));
+#else
+  vec3 m = reflect(d, N);
+  vec3 dim = vec3(0.16, 0.22, 0.24);
+  vec3 reflected = mix(dim, sky(m), smoothstep(-0.25, 0.1, m.y));
+  vec3 inner = vec3(0.0);
+#if BODY == ${BODY.paint}
+  inner = paint(N);
+#elif BODY == ${BODY.clear}
+  vec3 inside = refract(d, N, u_eta);
+  vec3 leaving = reflect(-inside, normalize(inside - 0.6 * N));
+  inner = mix(dim, sky(leaving), smoothstep(-0.25, 0.1, leaving.y));
+#endif
+  return mixed(R(clamp(-dot(d, N), 0.0, 1.0)), inner, reflected);
+#endif
+}
+
+void main() {
+  vec3 d = direction();
+  float way = u_eye.y / max(-d.y, 1e-4);
+  vec3 p = u_eye + way * d;
+  vec3 N = ripples(p, way);
+  float mu = max(-dot(d, N), 0.0);
+#ifndef WATER_CHOSEN
+  vec3 r = curve(WATER, mu);
+  vec3 b = refract(d, N, WATER_ETA);
+#else
+  vec3 b = refract(d, N, u_eta);
+#if HOW == ${HOW.vertex}
+  vec3 r = meshed(p);
+#else
+  vec3 r = R(mu);
+#endif
+#endif
+  vec3 inner = vec3(0.0);
+#if !defined(WATER_CHOSEN) || BODY == ${BODY.clear}
+  float deep;
+  inner = ground(p, b, way, deep);
+  things(p, b, deep, inner);
+  inner = b.y < 0.0 ? inner * murk(deep) : vec3(0.0);
+#endif
+  vec3 up = reflect(d, N);
+  up.y = abs(up.y);
+  vec3 reflected = sky(up);
+  float nearest = hit(p, up, BALL);
+  reflected = nearest < FAR ? mirrored(p + nearest * up, up) : reflected;
+  things(p, up, nearest, reflected);
+  color = vec4(min(mixed(r, inner, reflected), 4.0), WATER_MASK);
+}`;
+
+const PRESENT = `#version 300 es
+precision highp float;
+precision highp sampler2D;
+uniform sampler2D u_left;
+uniform sampler2D u_right;
+uniform vec2 u_size;
+uniform int u_show;     // 0 left, 1 right, 2 left and right of the split, 3 their difference
+uniform float u_split;  // in pixels
+uniform float u_gain;
+out vec4 color;
+
+vec3 encoded(vec3 c) {
+  c = clamp(c, 0.0, 1.0);
+  return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+
+/** Darker on the right is blue, brighter is orange; black is the same. */
+vec3 scale(float x) {
+  float size = clamp(abs(x), 0.0, 1.0);
+  vec3 full = x < 0.0 ? vec3(0.28, 0.66, 1.0) : vec3(1.0, 0.60, 0.18);
+  return size < 0.6 ? mix(vec3(0.035, 0.045, 0.06), full, size / 0.6) : mix(full, vec3(1.0), (size - 0.6) / 0.4);
+}
+
+void main() {
+  vec2 at = gl_FragCoord.xy / u_size;
+  vec4 a = texture(u_left, at), b = texture(u_right, at);
+  bool left = u_show == 0 || (u_show == 2 && gl_FragCoord.x < u_split);
+  vec4 one = left ? a : b;
+  color = vec4(encoded(one.rgb), one.a);
+  if (u_show != 3) return;
+  vec3 d = encoded(b.rgb) - encoded(a.rgb);
+  float largest = abs(d.r) > abs(d.g) ? d.r : d.g;
+  largest = abs(d.b) > abs(largest) ? d.b : largest;
+  color = vec4(scale(largest * u_gain), one.a);
+}`;
+
+/** @typedef {{how: number, body: number, water: boolean, even: boolean}} Variant */
+
+/** @type {Record<string, string>} */
+const PASSES = { sky: SKY, water: WATER_PASS, ball: BALL_PASS, thing: THING };
+
+/** @param {string} pass @param {Variant} variant @returns {string} the source of a fragment shader */
+export function fragment(pass, { how, body, water, even }) {
+  if (pass === "present") return PRESENT;
+  return [
+    "#version 300 es",
+    `#define HOW ${how}`,
+    `#define BODY ${body}`,
+    `#define WATER_MASK ${water ? "1.0" : "0.0"}`,
+    water ? "#define WATER_CHOSEN" : "",
+    even ? "#define EVEN_LIGHT" : "",
+    COMMON,
+    PASSES[pass],
+  ].join("\n");
+}
