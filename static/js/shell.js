@@ -71,8 +71,10 @@ export function createShell({ views, onView, onTheme }) {
     /** @param {string} active */
     showTab(active) {
       for (const { id, link } of tabs) {
-        if (id === active) link.setAttribute("aria-current", "page");
-        else link.removeAttribute("aria-current");
+        if (id === active) {
+          link.setAttribute("aria-current", "page");
+          link.scrollIntoView({ block: "nearest", inline: "nearest" });
+        } else link.removeAttribute("aria-current");
       }
       const title = views.find((v) => v.id === active)?.title ?? "";
       document.title = `${title} · Fresnel Explorer`;

@@ -65,6 +65,27 @@ export function boundsOf(camera, { center, radius }, size) {
   return right > left && high > low ? [left, low, right - left, high - low] : null;
 }
 
+/**
+ * The rectangle of the water that shows a ball, mirrored or below it; null where none does.
+ * @param {Camera} camera
+ * @param {{center: number[], radius: number}} ball
+ * @param {readonly [number, number]} size
+ * @returns {[number, number, number, number] | null}
+ */
+export function inWater(camera, { center, radius }, size) {
+  const [x = 0, y = 0, z = 0] = center;
+  // Ripples bend the picture, and what is below the water is lifted toward its surface.
+  const wide = 1.12 * radius;
+  const mirrored = boundsOf(camera, { center: [x, -y, z], radius: wide }, size);
+  const below =
+    y < radius ? boundsOf(camera, { center: [x, 0.6 * y, z], radius: wide }, size) : null;
+  if (!mirrored || !below) return mirrored ?? below;
+  const [left, low] = [Math.min(mirrored[0], below[0]), Math.min(mirrored[1], below[1])];
+  const right = Math.max(mirrored[0] + mirrored[2], below[0] + below[2]);
+  const high = Math.max(mirrored[1] + mirrored[3], below[1] + below[3]);
+  return [left, low, right - left, high - low];
+}
+
 /** How far a ball's center is. @param {Camera} camera @param {{center: number[]}} ball */
 export function distanceTo(camera, { center }) {
   return Math.hypot(...seenAt(camera, center));

@@ -195,8 +195,12 @@ export function createControls({ catalog, presets, state, actions }) {
   const panel = h(
     "div",
     { class: "panel-body" },
-    ...sides.map((s) => s.element),
-    h("div", { class: "choices tight" }, texels.element, parameters.element),
+    h(
+      "div",
+      { class: "choices" },
+      ...sides.map((s) => s.element),
+      h("div", {}, texels.element, parameters.element),
+    ),
     h("div", { class: "heading" }, h("h2", {}, "Media")),
     media.element,
     h(

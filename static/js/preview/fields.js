@@ -61,7 +61,7 @@ export function previewFields({ models }) {
     split: number(BOUNDS.split),
     gain: number(BOUNDS.gain),
     body: choice("paint", ["paint", "clear"]),
-    paint: hex("#a81c22"),
+    paint: hex("#d8322a"),
     sky: choice("day", ["day", "even"]),
     colors: choice("rgb", ["rgb", "single"]),
     yaw: number(BOUNDS.yaw),

@@ -53,6 +53,24 @@ function takesColor(state, { models }, id) {
   );
 }
 
+/** @param {State} state @param {Catalog} catalog @param {string[]} ids */
+function modelsQuery(state, catalog, ids) {
+  return [
+    ids.join() === "exact" ? "" : `models=${ids.join(",")}`,
+    ...parameterQuery(state, catalog.models, ids),
+  ];
+}
+
+/** One question for both sides. @param {State} state @param {Catalog} catalog */
+function bothPath(state, catalog) {
+  const ids = [...new Set([state.left, state.right])].filter((id) => id !== NONE).sort();
+  return path("/curves", [
+    ...media(state, catalog, ["n_i", "n_t", "k_t"]),
+    ...modelsQuery(state, catalog, ids),
+    ...FINE,
+  ]);
+}
+
 /**
  * Paths of a side's curves: one, or one for each channel; none where nothing is reflected.
  * @param {State} state
@@ -63,19 +81,8 @@ function takesColor(state, { models }, id) {
 export function sidePaths(state, catalog, side) {
   const model = state[side];
   if (model === NONE) return {};
-  const chosen = [
-    model === "exact" ? "" : `models=${model}`,
-    ...parameterQuery(state, catalog.models, [model]),
-  ];
   const material = state.colors === "rgb" ? coloredMaterial(state, catalog) : null;
-  if (!material)
-    return {
-      [side]: path("/curves", [
-        ...media(state, catalog, ["n_i", "n_t", "k_t"]),
-        ...chosen,
-        ...FINE,
-      ]),
-    };
+  if (!material) return { curves: bothPath(state, catalog) };
   const front = isDispersive(catalog.materials.find((m) => m.id === state.incident))
     ? [`incident=${state.incident}`]
     : media(state, catalog, ["n_i"]);
@@ -97,7 +104,7 @@ export function sidePaths(state, catalog, side) {
         ...front,
         `material=${material.id}`,
         `wavelength_nm=${CHANNEL_NM[channel]}`,
-        ...chosen,
+        ...modelsQuery(state, catalog, [model]),
         ...FINE,
       ]),
     ]),
@@ -112,8 +119,8 @@ export function linear(color) {
   });
 }
 
-/** @param {State} state @param {Catalog} catalog @returns {Record<string, string>} */
-function coatPaths(state, catalog) {
+/** What paint there is under the coat. @param {State} state @param {Catalog} catalog @returns {Record<string, string>} */
+export function coatPaths(state, catalog) {
   if (!isPaint(state)) return {};
   const albedo = linear(state.paint);
   return Object.fromEntries(

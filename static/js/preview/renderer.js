@@ -1,7 +1,7 @@
 /** Draws the scene by WebGL2: each side into a linear picture, and both onto the canvas. */
 
-import { boundsOf, distanceTo, rowsBelow } from "./camera.js";
-import { BALLS, EVEN, fragment, INTERVALS, ROWS, VERTEX } from "./shader.js";
+import { boundsOf, distanceTo, inWater, rowsBelow } from "./camera.js";
+import { BALLS, EVEN, INTERVALS, presenter, ROWS, surface, VERTEX } from "./shader.js";
 
 /**
  * @typedef {import('./shader.js').Variant} Variant
@@ -20,8 +20,12 @@ import { BALLS, EVEN, fragment, INTERVALS, ROWS, VERTEX } from "./shader.js";
  */
 
 const SIDES = /** @type {const} */ (["left", "right"]);
-const SHOWS = { left: 0, right: 1, split: 2, difference: 3 };
 const TEXELS = INTERVALS + 1;
+
+/** Each value beside its successor. @param {Float32Array} texels the same in every channel */
+function paired(texels) {
+  return texels.map((x, i) => (i % 4 === 1 ? (texels[i + 4] ?? x) : x));
+}
 
 /** @param {HTMLCanvasElement} canvas @returns {ReturnType<typeof createWith> | null} null without WebGL2 and float targets */
 export function createRenderer(canvas) {
@@ -51,9 +55,8 @@ function createWith(gl) {
     return shader;
   }
 
-  /** @param {string} pass @param {Variant} variant @returns {Program} */
-  function programOf(pass, variant) {
-    const source = fragment(pass, variant);
+  /** @param {string} source of its fragment shader @returns {Program} */
+  function programOf(source) {
     let found = programs.get(source);
     if (!found) {
       const program = gl.createProgram();
@@ -123,24 +126,29 @@ function createWith(gl) {
    * @param {Picture} picture
    * @param {readonly [number, number]} size
    * @param {readonly [number, number]} columns from, to
+   * @param {boolean} encode whether onto the canvas itself, else as linear light into the side's picture
    */
-  function drawSide(side, picture, size, columns) {
+  function drawSide(side, picture, size, columns, encode) {
     const { camera } = picture;
     const variant = picture.sides[side];
     const [left, right] = columns;
     if (right <= left) return;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, frames[side].frame);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, encode ? null : frames[side].frame);
     gl.viewport(0, 0, ...size);
     bind(0, curves);
     bind(1, tables[side]);
 
-    /** @param {string} pass @param {readonly [number, number, number, number]} box @param {(at: Program['at']) => void} [more] */
-    const draw = (pass, [x, y, width, height], more) => {
+    /**
+     * @param {string} pass
+     * @param {readonly [number, number, number, number]} box
+     * @param {{plain?: boolean, thing?: number}} [what]
+     */
+    const draw = (pass, [x, y, width, height], { plain = false, thing = 0 } = {}) => {
       const from = Math.max(left, x);
       const to = Math.min(right, x + width);
       if (to <= from || height <= 0) return;
       gl.scissor(from, y, to - from, height);
-      const { at } = programOf(pass, variant);
+      const { at } = programOf(surface(pass, variant, { plain, encode }));
       gl.uniform2f(at("u_size"), ...size);
       gl.uniformMatrix3fv(at("u_camera"), false, camera.axes);
       gl.uniform3f(at("u_eye"), ...camera.eye);
@@ -152,7 +160,7 @@ function createWith(gl) {
       gl.uniform1f(at("u_eta"), picture.eta);
       gl.uniform3fv(at("u_escape"), picture.escape);
       gl.uniform1f(at("u_external"), picture.external);
-      more?.(at);
+      gl.uniform1i(at("u_thing"), thing);
       gl.drawArrays(gl.TRIANGLES, 0, 3);
     };
 
@@ -165,7 +173,11 @@ function createWith(gl) {
     } else {
       const rows = rowsBelow(camera, size);
       draw("sky", [0, rows, size[0], size[1] - rows]);
-      draw("water", [0, 0, size[0], rows]);
+      draw("water", [0, 0, size[0], rows], { plain: true });
+      for (const one of Object.values(BALLS)) {
+        const box = inWater(camera, one, size);
+        if (box) draw("water", [box[0], box[1], box[2], Math.min(box[3], rows - box[1])]);
+      }
     }
     gl.enable(gl.BLEND);
     const names = /** @type {(keyof typeof BALLS)[]} */ (
@@ -184,33 +196,34 @@ function createWith(gl) {
         own ? gl.ONE : gl.ZERO,
         gl.ONE_MINUS_SRC_ALPHA,
       );
-      draw(ball ? "ball" : "thing", box, (at) => {
-        if (!ball) gl.uniform1i(at("u_thing"), name === "buoy" ? 0 : 1);
-      });
+      draw(ball ? "ball" : "thing", box, { thing: name === "buoy" ? 0 : 1 });
     }
     gl.disable(gl.BLEND);
     gl.disable(gl.SCISSOR_TEST);
   }
 
   /**
-   * @param {Picture} picture
+   * Linear pictures onto the canvas or into another frame: one, or the difference of both.
+   * @param {'left' | 'right' | 'difference'} show
    * @param {WebGLFramebuffer | null} onto
    * @param {readonly [number, number]} size
-   * @param {Show} show
+   * @param {readonly [number, number]} columns
+   * @param {number} gain
    */
-  function present(picture, onto, size, show) {
+  function present(show, onto, size, [from, to], gain) {
     gl.bindFramebuffer(gl.FRAMEBUFFER, onto);
     gl.viewport(0, 0, ...size);
-    const { at } = programOf("present", picture.sides.left);
-    bind(0, frames.left.picture);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(from, 0, Math.max(0, to - from), size[1]);
+    const { at } = programOf(presenter(show === "difference"));
+    bind(0, frames[show === "right" ? "right" : "left"].picture);
     bind(1, frames.right.picture);
     gl.uniform1i(at("u_left"), 0);
     gl.uniform1i(at("u_right"), 1);
     gl.uniform2f(at("u_size"), ...size);
-    gl.uniform1i(at("u_show"), SHOWS[show]);
-    gl.uniform1f(at("u_split"), picture.split * size[0]);
-    gl.uniform1f(at("u_gain"), picture.gain);
+    gl.uniform1f(at("u_gain"), gain);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.disable(gl.SCISSOR_TEST);
   }
 
   /** @param {readonly [number, number]} size @param {number} scale @returns {[number, number]} */
@@ -219,9 +232,28 @@ function createWith(gl) {
     Math.max(1, Math.round(height * scale)),
   ];
 
+  /** Until all that was asked for is done; waiting for it here would hold up the page. @returns {Promise<void>} */
+  function drawn() {
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    return new Promise((resolve) => {
+      const look = () => {
+        const status = fence ? gl.clientWaitSync(fence, 0, 0) : gl.CONDITION_SATISFIED;
+        if (status === gl.TIMEOUT_EXPIRED) {
+          setTimeout(look, 10);
+          return;
+        }
+        gl.deleteSync(fence);
+        resolve();
+      };
+      setTimeout(look);
+    });
+  }
+
   return {
     /** @param {keyof typeof ROWS} name @param {Float32Array} texels four numbers each */
     setCurve(name, texels) {
+      if (name === "water") texels = paired(texels);
       gl.bindTexture(gl.TEXTURE_2D, curves);
       const row = ROWS[name];
       gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, row, TEXELS, 1, gl.RGBA, gl.FLOAT, texels);
@@ -246,44 +278,64 @@ function createWith(gl) {
 
     /**
      * @param {Picture} picture
-     * @param {number} scale points of the scene to a pixel of the canvas, along each side
+     * @param {number} points of the scene to a pixel of the canvas, along each side; with more than one
+     *   the light is added up before it is encoded, and the picture is smooth
      */
-    draw(picture, scale) {
-      const canvas = gl.canvas;
-      const inner = scaled([canvas.width, canvas.height], scale);
-      const { show } = picture;
-      const cut = Math.min(inner[0], Math.max(0, Math.ceil(picture.split * inner[0]) + 1));
-      const back = Math.max(0, Math.floor(picture.split * inner[0]) - 1);
+    draw(picture, points) {
+      const { width, height } = gl.canvas;
+      const size = /** @type {const} */ ([width, height]);
+      const inner = scaled(size, points);
+      const { show, gain } = picture;
+      const cut = Math.round(picture.split * width);
+      /** @type {Record<string, readonly [number, number]>} */
+      const columns = {
+        left: [0, show === "split" ? cut : show === "right" ? 0 : width],
+        right: [show === "split" ? cut : show === "left" ? width : 0, width],
+      };
+      const direct = points === 1 && show !== "difference";
       for (const side of SIDES) {
+        const [from, to] = /** @type {[number, number]} */ (columns[side]);
+        if (direct) {
+          drawSide(side, picture, size, [from, to], true);
+          continue;
+        }
         resize(frames[side], inner, gl.RGBA16F);
-        if (show === "left" || show === "right") {
-          if (side === show) drawSide(side, picture, inner, [0, inner[0]]);
-        } else if (show === "split")
-          drawSide(side, picture, inner, side === "left" ? [0, cut] : [back, inner[0]]);
-        else drawSide(side, picture, inner, [0, inner[0]]);
+        drawSide(side, picture, inner, [points * from, points * to], false);
+        if (show !== "difference") present(side, null, size, [from, to], gain);
       }
-      present(picture, null, [canvas.width, canvas.height], show);
+      if (show === "difference") present(show, null, size, [0, width], gain);
     },
 
     /**
      * Both sides as 8-bit sRGB; the fourth byte tells where the chosen surface is seen.
      * @param {Picture} picture
      * @param {readonly [number, number]} size
+     * @returns {Promise<{left: Uint8Array, right: Uint8Array}>}
      */
-    read(picture, size) {
+    async read(picture, size) {
       resize(measured, size, gl.RGBA8);
-      const [left, right] = SIDES.map((side) => {
+      const bytes = 4 * size[0] * size[1];
+      const buffers = SIDES.map((side) => {
         resize(frames[side], size, gl.RGBA16F);
-        drawSide(side, picture, size, [0, size[0]]);
-        present(picture, measured.frame, size, side);
-        const bytes = new Uint8Array(4 * size[0] * size[1]);
-        gl.readPixels(0, 0, ...size, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-        return bytes;
+        drawSide(side, picture, size, [0, size[0]], false);
+        present(side, measured.frame, size, [0, size[0]], 1);
+        const buffer = gl.createBuffer();
+        gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+        gl.bufferData(gl.PIXEL_PACK_BUFFER, bytes, gl.STREAM_READ);
+        gl.readPixels(0, 0, ...size, gl.RGBA, gl.UNSIGNED_BYTE, 0);
+        return buffer;
       });
-      return {
-        left: /** @type {Uint8Array} */ (left),
-        right: /** @type {Uint8Array} */ (right),
-      };
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+      await drawn();
+      const [left, right] = buffers.map((buffer) => {
+        const copy = new Uint8Array(bytes);
+        gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+        gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, copy);
+        gl.deleteBuffer(buffer);
+        return copy;
+      });
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+      return { left: /** @type {Uint8Array} */ (left), right: /** @type {Uint8Array} */ (right) };
     },
 
     destroy() {

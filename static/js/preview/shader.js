@@ -12,7 +12,7 @@ export const ROWS = { left: 0, right: 1, water: 2 };
 /** What a texel holds where the model is undefined. */
 export const UNDEFINED = 1e9;
 /** Radiance of the even light, in every channel. */
-export const EVEN = 1;
+export const EVEN = 0.8;
 /** How R is evaluated. */
 export const HOW = { pixel: 0, vertex: 1, texture: 2 };
 /** What is below the chosen surface. */
@@ -36,6 +36,14 @@ const float = (x) => (Number.isInteger(x) ? x.toFixed(1) : String(x));
 /** @param {{center: number[], radius: number}} ball */
 const ballOf = ({ center, radius }) => `vec4(${[...center, radius].map(float).join(", ")})`;
 
+/** sRGB's encoding of linear light. */
+const ENCODED = `
+vec3 encoded(vec3 c) {
+  c = clamp(c, 0.0, 1.0);
+  return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+`;
+
 const COMMON = `
 precision highp float;
 precision highp sampler2D;
@@ -53,8 +61,8 @@ const float WATER_ETA = 0.75;
 const float PARTS = 4.0;
 const float CELL = 2.5;
 
-const vec3 SUN = normalize(vec3(-0.62, 0.46, -0.55));
-const vec3 SUN_BELOW = normalize(vec3(-0.465, 0.794, -0.4125)); // refracted by water of n = 4/3
+const vec3 SUN = normalize(vec3(-0.76, 0.46, -0.10));
+const vec3 SUN_BELOW = normalize(vec3(-0.6376, 0.7658, -0.0839)); // refracted by water of n = 4/3
 const vec3 SUNLIGHT = vec3(0.85, 0.73, 0.56); // irradiance over pi
 const vec3 SKYLIGHT = vec3(0.50, 0.62, 0.80);
 
@@ -70,6 +78,14 @@ uniform float u_eta;       // n_i / n_t
 uniform vec3 u_escape;     // of the light in the paint the share that comes out again, over 1 - u_external
 uniform float u_external;  // albedo of the surface for diffuse light
 out vec4 color;
+${ENCODED}
+/** Write linear light, or what the screen takes where there is nothing to be done with it any more. */
+void put(vec3 c, float cover, float alpha) {
+#ifdef ENCODE
+  c = encoded(c);
+#endif
+  color = vec4(min(c, 4.0) * cover, alpha);
+}
 
 float pixelAngle() { return 2.0 * u_lens / min(u_size.x, u_size.y); }
 
@@ -85,10 +101,10 @@ vec3 sky(vec3 d) {
   float up = max(d.y, 0.0);
   float low = 1.0 - up;
   float low2 = low * low, low4 = low2 * low2, low8 = low4 * low4;
-  vec3 c = mix(vec3(0.055, 0.150, 0.380), vec3(0.235, 0.430, 0.700), low2);
+  vec3 c = mix(vec3(0.070, 0.150, 0.330), vec3(0.270, 0.400, 0.600), low2);
   float s = max(dot(d, SUN), 0.0);
   float s2 = s * s, s4 = s2 * s2, s8 = s4 * s4, s32 = s8 * s8 * s8 * s8;
-  c = mix(c, mix(vec3(0.62, 0.70, 0.78), vec3(0.98, 0.80, 0.58), s4), low8 * (0.75 + 0.25 * low8));
+  c = mix(c, mix(vec3(0.74, 0.72, 0.70), vec3(1.00, 0.79, 0.52), s4), low8 * (0.75 + 0.25 * low8));
   c += vec3(0.16, 0.11, 0.05) * s8 + vec3(0.30, 0.22, 0.12) * s32 * s32;
   return c + vec3(3.0, 2.7, 2.2) * smoothstep(0.9990, 0.9995, s);
 #endif
@@ -141,7 +157,7 @@ vec3 ground(vec3 from, vec3 d, float way, out float t) {
   t = (from.y + DEPTH) / down;
   vec3 p = from + t * d;
   float squares = checkers(p.xz * 0.8, 0.8 * pixelAngle() * (way + t) / max(down, 0.05));
-  vec3 albedo = mix(vec3(0.26, 0.33, 0.36), vec3(0.90, 0.89, 0.84), squares);
+  vec3 albedo = mix(vec3(0.15, 0.18, 0.19), vec3(0.66, 0.63, 0.55), squares);
   // The ball's shadow: from the floor along the refracted ray to the surface, then toward the sun.
   vec3 toward = BALL.xyz - p - SUN_BELOW * (DEPTH / SUN_BELOW.y);
   float along = dot(toward, SUN);
@@ -150,14 +166,17 @@ vec3 ground(vec3 from, vec3 d, float way, out float t) {
 }
 
 /** What the water leaves of the light over a way. */
-vec3 murk(float t) { return exp(-vec3(0.42, 0.11, 0.075) * min(t, 12.0)); }
+vec3 murk(float t) {
+  float c = exp(-0.075 * min(t, 12.0));
+  float red = c * c;
+  return vec3(red * red, c, c);
+}
 
 vec3 ripples(vec3 p, float way) {
-  float steep = 0.013 / (1.0 + 0.024 * way * way);
+  float steep = 0.016 / (1.0 + 0.024 * way * way);
   float a = cos(dot(p.xz, vec2(3.1, 1.7)));
   float b = cos(dot(p.xz, vec2(-1.9, 4.3)) + 1.0);
-  float c = cos(dot(p.xz, vec2(6.7, -2.3)) + 2.0);
-  return normalize(vec3(-steep * (a + 0.6 * b + 0.7 * c), 1.0, -steep * (0.6 * a + b - 0.5 * c)));
+  return normalize(vec3(-steep * (a - 0.6 * b), 1.0, -steep * (0.6 * a + b)));
 }
 
 vec3 curve(int row, float mu) {
@@ -165,7 +184,18 @@ vec3 curve(int row, float mu) {
   int i = min(int(at), LAST - 1);
   vec3 a = texelFetch(u_curves, ivec2(i, row), 0).rgb;
   vec3 b = texelFetch(u_curves, ivec2(i + 1, row), 0).rgb;
-  return max(a.r, b.r) >= UNDEFINED ? vec3(UNDEFINED) : mix(a, b, at - float(i));
+#ifdef HOLES
+  if (max(a.r, b.r) >= UNDEFINED) return vec3(UNDEFINED);
+#endif
+  return mix(a, b, at - float(i));
+}
+
+/** R of water, from one texel: its red is the value, its green that of the next. */
+vec3 waterR(float mu) {
+  float at = clamp(mu, 0.0, 1.0) * float(LAST);
+  int i = min(int(at), LAST - 1);
+  vec2 ends = texelFetch(u_curves, ivec2(i, WATER), 0).rg;
+  return vec3(mix(ends.x, ends.y, at - float(i)));
 }
 
 /** R of the chosen interface. */
@@ -181,8 +211,11 @@ vec3 R(float mu) {
 
 /** Shirley's mix, color = T x refracted + R x reflected, T = 1 - R; hatched where there is no R. */
 vec3 mixed(vec3 r, vec3 refracted, vec3 reflected) {
-  vec3 hatched = fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0) < 0.5 ? vec3(0.6, 0.05, 0.4) : vec3(0.25, 0.0, 0.18);
-  return r.r >= UNDEFINED ? hatched : (1.0 - r) * refracted + r * reflected;
+#ifdef HOLES
+  if (r.r >= UNDEFINED)
+    return fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0) < 0.5 ? vec3(0.6, 0.05, 0.4) : vec3(0.25, 0.0, 0.18);
+#endif
+  return (1.0 - r) * refracted + r * reflected;
 }
 
 /** The paint under the surface: light comes in through it from everywhere, and goes out through it. */
@@ -201,7 +234,7 @@ vec3 atVertex(vec3 p, vec3 N) { return curve(u_row, dot(N, normalize(u_eye - p))
 `;
 
 const SKY = `
-void main() { color = vec4(sky(direction()), 0.0); }`;
+void main() { put(sky(direction()), 1.0, 0.0); }`;
 
 const THING = `
 uniform int u_thing;
@@ -214,7 +247,7 @@ void main() {
   vec3 p = u_eye - d * (b + sqrt(max(h, 0.0)));
   vec3 N = normalize(p - ball.xyz);
   float cover = clamp(0.5 + h / edge, 0.0, 1.0) * clamp(0.5 + p.y / (pixelAngle() * -b), 0.0, 1.0);
-  color = vec4((u_thing == 0 ? buoy(N) : stone(N)) * cover, cover);
+  put(u_thing == 0 ? buoy(N) : stone(N), cover, cover);
 }`;
 
 const AROUND = `
@@ -231,7 +264,7 @@ vec3 around(vec3 from, vec3 d, float way) {
   vec3 r = R(-d.y);
   vec3 b = refract(d, vec3(0.0, 1.0, 0.0), u_eta);
 #else
-  vec3 r = curve(WATER, -d.y);
+  vec3 r = waterR(-d.y);
   vec3 b = refract(d, vec3(0.0, 1.0, 0.0), WATER_ETA);
 #endif
   vec3 c = sky(vec3(d.x, abs(d.y), d.z));
@@ -295,7 +328,7 @@ void main() {
 #endif
   vec3 c = mixed(r, inner, around(p, reflect(d, N), t));
 #endif
-  color = vec4(min(c, 4.0) * cover, cover);
+  put(c, cover, cover);
 }`;
 
 const WATER_PASS = `
@@ -315,6 +348,7 @@ vec3 meshed(vec3 p) {
 }
 #endif
 
+#ifndef PLAIN
 /** What the ball shows in the water: the sky in it, or through it. */
 vec3 mirrored(vec3 p, vec3 d) {
   vec3 N = p - BALL.xyz;
@@ -335,6 +369,7 @@ vec3 mirrored(vec3 p, vec3 d) {
   return mixed(R(clamp(-dot(d, N), 0.0, 1.0)), inner, reflected);
 #endif
 }
+#endif
 
 void main() {
   vec3 d = direction();
@@ -343,7 +378,7 @@ void main() {
   vec3 N = ripples(p, way);
   float mu = max(-dot(d, N), 0.0);
 #ifndef WATER_CHOSEN
-  vec3 r = curve(WATER, mu);
+  vec3 r = waterR(mu);
   vec3 b = refract(d, N, WATER_ETA);
 #else
   vec3 b = refract(d, N, u_eta);
@@ -357,34 +392,31 @@ void main() {
 #if !defined(WATER_CHOSEN) || BODY == ${BODY.clear}
   float deep;
   inner = ground(p, b, way, deep);
+#ifndef PLAIN
   things(p, b, deep, inner);
+#endif
   inner = b.y < 0.0 ? inner * murk(deep) : vec3(0.0);
 #endif
   vec3 up = reflect(d, N);
   up.y = abs(up.y);
   vec3 reflected = sky(up);
+#ifndef PLAIN
   float nearest = hit(p, up, BALL);
   reflected = nearest < FAR ? mirrored(p + nearest * up, up) : reflected;
   things(p, up, nearest, reflected);
-  color = vec4(min(mixed(r, inner, reflected), 4.0), WATER_MASK);
+#endif
+  put(mixed(r, inner, reflected), 1.0, WATER_MASK);
 }`;
 
-const PRESENT = `#version 300 es
+const PRESENT = `
 precision highp float;
 precision highp sampler2D;
 uniform sampler2D u_left;
 uniform sampler2D u_right;
 uniform vec2 u_size;
-uniform int u_show;     // 0 left, 1 right, 2 left and right of the split, 3 their difference
-uniform float u_split;  // in pixels
 uniform float u_gain;
 out vec4 color;
-
-vec3 encoded(vec3 c) {
-  c = clamp(c, 0.0, 1.0);
-  return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
-}
-
+${ENCODED}
 /** Darker on the right is blue, brighter is orange; black is the same. */
 vec3 scale(float x) {
   float size = clamp(abs(x), 0.0, 1.0);
@@ -394,33 +426,60 @@ vec3 scale(float x) {
 
 void main() {
   vec2 at = gl_FragCoord.xy / u_size;
+#ifdef DIFFERENCE
   vec4 a = texture(u_left, at), b = texture(u_right, at);
-  bool left = u_show == 0 || (u_show == 2 && gl_FragCoord.x < u_split);
-  vec4 one = left ? a : b;
-  color = vec4(encoded(one.rgb), one.a);
-  if (u_show != 3) return;
   vec3 d = encoded(b.rgb) - encoded(a.rgb);
   float largest = abs(d.r) > abs(d.g) ? d.r : d.g;
   largest = abs(d.b) > abs(largest) ? d.b : largest;
-  color = vec4(scale(largest * u_gain), one.a);
+  color = vec4(scale(largest * u_gain), a.a);
+#else
+  vec4 one = texture(u_left, at);
+  color = vec4(encoded(one.rgb), one.a);
+#endif
 }`;
 
-/** @typedef {{how: number, body: number, water: boolean, even: boolean}} Variant */
+/**
+ * @typedef {object} Variant what is decided before a shader is compiled
+ * @property {number} how
+ * @property {number} body
+ * @property {boolean} water whether the water, in place of the ball, has the chosen interface
+ * @property {boolean} even
+ * @property {boolean} holes whether the model is undefined somewhere
+ */
 
 /** @type {Record<string, string>} */
 const PASSES = { sky: SKY, water: WATER_PASS, ball: BALL_PASS, thing: THING };
 
-/** @param {string} pass @param {Variant} variant @returns {string} the source of a fragment shader */
-export function fragment(pass, { how, body, water, even }) {
-  if (pass === "present") return PRESENT;
+/**
+ * The source of a surface's fragment shader.
+ * @param {string} pass
+ * @param {Variant} variant
+ * @param {{plain?: boolean, encode?: boolean}} [how] plain water has no balls in or above it; what is encoded is for the screen
+ */
+export function surface(
+  pass,
+  { how, body, water, even, holes },
+  { plain = false, encode = false } = {},
+) {
+  const flags = {
+    WATER_CHOSEN: water,
+    EVEN_LIGHT: even,
+    HOLES: holes,
+    PLAIN: plain,
+    ENCODE: encode,
+  };
   return [
     "#version 300 es",
     `#define HOW ${how}`,
     `#define BODY ${body}`,
     `#define WATER_MASK ${water ? "1.0" : "0.0"}`,
-    water ? "#define WATER_CHOSEN" : "",
-    even ? "#define EVEN_LIGHT" : "",
+    ...Object.entries(flags).flatMap(([name, on]) => (on ? [`#define ${name}`] : [])),
     COMMON,
     PASSES[pass],
   ].join("\n");
+}
+
+/** The source of what brings linear pictures onto the screen: one, or the difference of two. @param {boolean} difference */
+export function presenter(difference) {
+  return ["#version 300 es", difference ? "#define DIFFERENCE" : "", PRESENT].join("\n");
 }

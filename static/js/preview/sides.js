@@ -3,6 +3,7 @@
 import { constantTexels, tableOf, texelsOf } from "./curves.js";
 import { NONE } from "./fields.js";
 import { queries, SIDES, sidePaths } from "./queries.js";
+import { UNDEFINED } from "./shader.js";
 
 /**
  * @typedef {import('../types.js').Catalog} Catalog
@@ -21,6 +22,7 @@ export function createSides(catalog) {
   const made = new Map();
   /** @type {Record<string, string>} what each texture holds */
   let held = {};
+  const holes = { left: false, right: false };
 
   /** @template T @param {Map<string, T>} map @param {string} key @param {T} value */
   function keep(map, key, value) {
@@ -49,11 +51,11 @@ export function createSides(catalog) {
         if (answers[name] && kept.get(path) !== answers[name]) keep(kept, path, answers[name]);
     },
 
-    /** The answer to a question of this state. @param {State} state @param {string} name */
-    answer(state, name) {
-      const path = queries(state, catalog)[name];
-      return path === undefined ? null : (kept.get(path) ?? null);
-    },
+    /** Whether the model held by a side is undefined somewhere. @param {'left' | 'right'} side */
+    hasHoles: (side) => holes[side],
+
+    /** What was answered to a question, if it is known. @param {string | undefined} path */
+    answer: (path) => (path === undefined ? null : (kept.get(path) ?? null)),
 
     /**
      * Put into the renderer what is known for this state; what is on its way stays as it was.
@@ -75,6 +77,7 @@ export function createSides(catalog) {
         const key = `${state[side]} ${paths.join(" ")}`;
         if (held[side] !== key) {
           renderer.setCurve(side, found);
+          holes[side] = found.includes(UNDEFINED);
           held[side] = key;
         }
         const table = `${key} ${state.texels}`;

@@ -103,11 +103,13 @@ export function createStage({ state, actions, onMeasured, save }) {
   /** @returns {Show} */
   const shown = () => (state().see === "flicker" ? side : state().see);
 
-  /** @param {number} points */
+  /** @param {number} points to a pixel of the screen, along each side */
   function paint(points) {
     if (!renderer || !picture) return;
     picture.show = shown();
-    renderer.draw(picture, points);
+    // Fewer points than pixels are spread by the browser.
+    fit(Math.min(1, points));
+    renderer.draw(picture, Math.max(1, points));
     canvas.dataset.points = String(points);
     const sides = picture.show;
     names.left.hidden = sides === "right";
@@ -136,13 +138,17 @@ export function createStage({ state, actions, onMeasured, save }) {
     measuring = setTimeout(measure, MEASURE_AFTER);
   }
 
-  function measure() {
+  /** Which picture is measured: what was asked of an older one is of no interest. */
+  let turn = 0;
+
+  async function measure() {
     if (!renderer || !picture) return;
     const { width, height } = canvas;
-    const shrink = Math.min(1, MEASURED / Math.min(width, height));
+    const shrink = MEASURED / Math.min(width, height);
     const size = /** @type {const} */ ([Math.round(width * shrink), Math.round(height * shrink)]);
-    const { left, right } = renderer.read(picture, size);
-    onMeasured(differenceOf(left, right));
+    const own = turn;
+    const { left, right } = await renderer.read(picture, size);
+    if (own === turn) onMeasured(differenceOf(left, right));
   }
 
   function stop() {
@@ -156,6 +162,7 @@ export function createStage({ state, actions, onMeasured, save }) {
   function draw(moving) {
     clearTimeout(refining);
     clearTimeout(measuring);
+    turn += 1;
     if (moving) adapt(performance.now());
     paint(moving ? scale : Math.min(1, scale));
     const percent = Math.round(100 * scale);
@@ -179,17 +186,18 @@ export function createStage({ state, actions, onMeasured, save }) {
     paint(Number(canvas.dataset.points ?? 1));
   }
 
-  /** The canvas has as many pixels as the screen gives it, up to two for each of the page's. */
-  function fit() {
-    const dense = Math.min(2, devicePixelRatio);
-    const [width, height] = [frame.clientWidth * dense, frame.clientHeight * dense].map(Math.round);
-    if (!width || !height || (canvas.width === width && canvas.height === height)) return false;
+  /** The canvas has as many pixels as the screen gives it, up to two for each of the page's. @param {number} share */
+  function fit(share) {
+    const dense = Math.min(2, devicePixelRatio) * share;
+    const [width = 0, height = 0] = [frame.clientWidth * dense, frame.clientHeight * dense].map(
+      Math.round,
+    );
+    if (!width || !height || (canvas.width === width && canvas.height === height)) return;
     canvas.width = width;
     canvas.height = height;
-    return true;
   }
   const watching = new ResizeObserver(() => {
-    if (fit() && picture) draw(false);
+    if (picture) draw(false);
   });
   watching.observe(frame);
 
@@ -334,7 +342,6 @@ export function createStage({ state, actions, onMeasured, save }) {
      */
     update(scene, titles, moving) {
       const { yaw, pitch, distance, split, gain, see } = state();
-      fit();
       picture = {
         ...scene,
         camera: cameraAt({ yaw, pitch, distance }),

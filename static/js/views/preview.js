@@ -7,7 +7,7 @@ import { plain, significant } from "../format.js";
 import { createControls } from "../preview/controls.js";
 import { createExamples } from "../preview/examples.js";
 import { BOUNDS, isEven, isOpaque, isPaint, NONE, previewFields } from "../preview/fields.js";
-import { queries as allQueries, CHANNELS } from "../preview/queries.js";
+import { coatPaths, sidePaths } from "../preview/queries.js";
 import { BODY, HOW } from "../preview/shader.js";
 import { createSides } from "../preview/sides.js";
 import { createStage } from "../preview/stage.js";
@@ -168,13 +168,18 @@ export function createView({ element, catalog, presets, state, actions, save }) 
 
   /** @param {State} now @param {'left' | 'right'} side */
   function reasonOf(now, side) {
-    const name = Object.keys(allQueries(now, catalog)).find((n) => n.split(".")[0] === side);
-    const answer = name ? sides.answer(now, name) : null;
-    const reason = answer?.curves?.find(
-      (/** @type {import('../types.js').Curve} */ c) => c.model === now[side],
-    )?.reason;
+    const [path] = Object.values(sidePaths(now, catalog, side));
+    const reason = sides
+      .answer(path)
+      ?.curves?.find(
+        (/** @type {import('../types.js').Curve} */ c) => c.model === now[side],
+      )?.reason;
     return reason ? `Outside its domain: ${reason}` : "";
   }
+
+  /** The last that was known of the paint, by channel. @type {any[]} */
+  let coats = [];
+  let drawn = false;
 
   /** @param {State} now */
   function sceneOf(now) {
@@ -184,14 +189,14 @@ export function createView({ element, catalog, presets, state, actions, save }) 
       body: isOpaque(now) ? BODY.opaque : isPaint(now) ? BODY.paint : BODY.clear,
       water: now.scene === "water",
       even: isEven(now),
+      holes: sides.hasHoles(side),
     });
-    const coats = CHANNELS.map((channel) => sides.answer(now, `coat.${channel}`));
     const external = coats[0]?.external ?? 0;
     return {
       sides: { left: variant("left"), right: variant("right") },
       eta: now.n_i / now.n_t,
       external,
-      escape: coats.map((coat) => (coat ? coat.body / (1 - external) ** 2 : 0)),
+      escape: coats.length ? coats.map((coat) => coat.body / (1 - external) ** 2) : [0, 0, 0],
     };
   }
 
@@ -214,9 +219,14 @@ export function createView({ element, catalog, presets, state, actions, save }) 
       stage.feed((renderer, force) => {
         complete = sides.fill(renderer, state(), force);
       });
-      const coated = !isPaint(now) || CHANNELS.every((c) => sides.answer(now, `coat.${c}`));
-      // Half of a new state would be a picture of nothing: the last good one stays.
-      if (complete && coated) {
+      const paths = Object.values(coatPaths(now, catalog));
+      const fresh = paths.map((path) => sides.answer(path));
+      if (!fresh.includes(null)) coats = fresh;
+      else complete = false;
+      // Half of a new state would be a picture of nothing: the last good one stays. While something
+      // moves, what is known follows it.
+      if (complete || (moving && drawn)) {
+        drawn = true;
         showDifference(null);
         stage.update(
           sceneOf(now),
