@@ -24,10 +24,14 @@ from app.settings import Settings
 FOLDER = Path(__file__).resolve().parent.parent / "docs"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome")
 SIZE = (1440, 900)
-# File name, colours, address of the page.
-PICTURES: tuple[tuple[str, Literal["light", "dark"], str], ...] = (
-    ("explore-light.png", "light", "/?n_t=1.5&theta_i_deg=64&models=schlick"),
-    ("explore-dark.png", "dark", "/?n_t=1.5&theta_i_deg=64&models=schlick"),
+# What is there when a view is drawn.
+CURVES = ".js-plotly-plot .scatterlayer path"
+SCENE = ".differences:not([data-stale]) dd:not(:empty)"
+# File name, colours, address of the page, what to wait for.
+PICTURES: tuple[tuple[str, Literal["light", "dark"], str, str], ...] = (
+    ("explore-light.png", "light", "/?n_t=1.5&theta_i_deg=64&models=schlick", CURVES),
+    ("explore-dark.png", "dark", "/?n_t=1.5&theta_i_deg=64&models=schlick", CURVES),
+    ("preview.png", "light", "/?view=preview&split=0.46", SCENE),
 )
 
 
@@ -51,7 +55,9 @@ def served() -> Iterator[str]:
         thread.join()
 
 
-def take(browser: Browser, url: str, scheme: Literal["light", "dark"], target: Path) -> None:
+def take(
+    browser: Browser, url: str, scheme: Literal["light", "dark"], drawn: str, target: Path
+) -> None:
     """Photograph one page after everything on it is drawn."""
     width, height = SIZE
     page = browser.new_page(
@@ -59,7 +65,7 @@ def take(browser: Browser, url: str, scheme: Literal["light", "dark"], target: P
     )
     page.goto(url, wait_until="networkidle")
     page.evaluate("() => document.fonts.ready.then(() => undefined)")
-    page.wait_for_selector(".js-plotly-plot .scatterlayer path")
+    page.wait_for_selector(drawn)
     page.wait_for_timeout(500)  # the settled drawing follows the first one
     page.screenshot(path=target)
     page.close()
@@ -73,8 +79,8 @@ def main() -> None:
     FOLDER.mkdir(exist_ok=True)
     with served() as address, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=executable, args=arguments)
-        for name, scheme, path in PICTURES:
-            take(browser, f"{address}{path}", scheme, FOLDER / name)
+        for name, scheme, path, drawn in PICTURES:
+            take(browser, f"{address}{path}", scheme, drawn, FOLDER / name)
             print(f"docs/{name}: {(FOLDER / name).stat().st_size:,} bytes")
         browser.close()
 

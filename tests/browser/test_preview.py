@@ -227,7 +227,7 @@ def test_flicker_shows_one_after_the_other_and_can_be_paused(quiet_page: Page) -
     frame = page.locator(".scene-frame")
     expect(frame).to_have_attribute("data-show", "right")
     expect(frame).to_have_attribute("data-show", "left")
-    page.get_by_role("button", name="pause").click()
+    page.get_by_role("button", name="pause", exact=True).click()
     shown = frame.get_attribute("data-show")
     page.wait_for_timeout(1600)
     assert frame.get_attribute("data-show") == shown
@@ -240,7 +240,7 @@ def test_nothing_flickers_under_reduced_motion(quiet_page: Page) -> None:
     page = opened(quiet_page, "&see=flicker")
     page.wait_for_timeout(1600)
     expect(page.locator(".scene-frame")).to_have_attribute("data-show", "left")
-    expect(page.get_by_role("button", name="play")).to_be_visible()
+    expect(page.get_by_role("button", name="play", exact=True)).to_be_visible()
 
 
 def test_every_model_can_stand_on_a_side(quiet_page: Page) -> None:

@@ -144,19 +144,21 @@ void things(vec3 from, vec3 d, inout float nearest, inout vec3 c) {
   nearest = min(nearest, t);
 }
 
-/** Squares of side 1, averaged over a width. */
-float checkers(vec2 p, float width) {
-  float w = max(width, 1e-3);
+/** Squares of side 1, averaged over a rectangle. */
+float checkers(vec2 p, vec2 size) {
+  vec2 w = max(size, 1e-3);
   vec2 i = 2.0 * (abs(fract((p - 0.5 * w) * 0.5) - 0.5) - abs(fract((p + 0.5 * w) * 0.5) - 0.5)) / w;
   return 0.5 - 0.5 * i.x * i.y;
 }
 
-/** The floor below the water in a direction, and how far it is. */
-vec3 ground(vec3 from, vec3 d, float way, out float t) {
-  float down = max(-d.y, 0.02);
-  t = (from.y + DEPTH) / down;
+/** The floor below the water in a direction, for a ray that came down at a slope; and how far it is. */
+vec3 ground(vec3 from, vec3 d, float way, float slope, out float t) {
+  t = (from.y + DEPTH) / max(-d.y, 0.02);
   vec3 p = from + t * d;
-  float squares = checkers(p.xz * 0.8, 0.8 * pixelAngle() * (way + t) / max(down, 0.05));
+  // A pixel is seen on the water as a stripe toward the horizon.
+  vec2 ahead = abs(d.xz) * inversesqrt(max(dot(d.xz, d.xz), 1e-6));
+  vec2 size = pixelAngle() * (way + t) * (1.0 + ahead / max(slope, 1e-2));
+  float squares = checkers(p.xz * 0.8, 0.8 * size);
   vec3 albedo = mix(vec3(0.15, 0.18, 0.19), vec3(0.66, 0.63, 0.55), squares);
   // The ball's shadow: from the floor along the refracted ray to the surface, then toward the sun.
   vec3 toward = BALL.xyz - p - SUN_BELOW * (DEPTH / SUN_BELOW.y);
@@ -268,7 +270,7 @@ vec3 around(vec3 from, vec3 d, float way) {
   vec3 b = refract(d, vec3(0.0, 1.0, 0.0), WATER_ETA);
 #endif
   vec3 c = sky(vec3(d.x, abs(d.y), d.z));
-  vec3 floored = ground(p, b, far, deep);
+  vec3 floored = ground(p, b, far, -d.y, deep);
   c = d.y < 0.0 ? mixed(r, floored * murk(deep), c) : c;
   float nearest = d.y < 0.0 ? t : FAR;
   things(from, d, nearest, c);
@@ -391,7 +393,7 @@ void main() {
   vec3 inner = vec3(0.0);
 #if !defined(WATER_CHOSEN) || BODY == ${BODY.clear}
   float deep;
-  inner = ground(p, b, way, deep);
+  inner = ground(p, b, way, -d.y, deep);
 #ifndef PLAIN
   things(p, b, deep, inner);
 #endif
