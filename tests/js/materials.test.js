@@ -58,6 +58,7 @@ test("wavelengths in a link are sorted, distinct and within bounds", () => {
 });
 
 test("a link names a preset of the catalog", () => {
+  assert.throws(() => FIELDS.preset?.parse("watr"), /water/);
   assert.equal(FIELDS.preset?.default, "Au");
   assert.equal(FIELDS.preset?.parse("water"), "water");
   assert.throws(() => FIELDS.preset?.parse("Unobtainium"), LinkError);

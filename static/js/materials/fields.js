@@ -1,5 +1,6 @@
 /** The state that the Materials view adds to the one all views share. */
 
+import { allowedWords } from "../nearest.js";
 import { choice, LinkError, number } from "../state.js";
 import { COLUMNS } from "./columns.js";
 
@@ -52,7 +53,7 @@ function known(ids) {
   return {
     default: ids.includes(FIRST) ? FIRST : ids[0],
     parse(text) {
-      if (!ids.includes(text)) throw new LinkError("the catalog has no preset of this id");
+      if (!ids.includes(text)) throw new LinkError(allowedWords(ids, text));
       return text;
     },
     print: String,
