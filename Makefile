@@ -10,7 +10,7 @@ BROWSERS := chromium chromium-browser google-chrome-stable google-chrome
 export PATH := $(CURDIR)/$(BIN):$(CURDIR)/node_modules/.bin:$(PATH)
 
 .NOTPARALLEL:
-.PHONY: help run test format lint types unit browser bench lock audit vendor readme pictures chromium glslang clean
+.PHONY: help run test format lint types unit browser fuzz bench lock audit vendor readme pictures chromium glslang clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -42,6 +42,9 @@ unit: $(VENV)/test.stamp node_modules/stamp glslang ## every test that needs no 
 # In a pytest of its own: after Playwright's synchronous API no test in the process can use asyncio.run.
 browser: $(VENV)/test.stamp node_modules/stamp chromium ## the tests in Chromium
 	pytest tests/browser
+
+fuzz: $(VENV)/test.stamp ## send 100,000 generated requests and say what came back, in some 20 minutes
+	FUZZ_REQUESTS=100000 FUZZ_EXAMPLES=300 pytest tests/fuzz -s
 
 bench: $(VENV)/test.stamp chromium ## measure what the project claims about its speed
 	python -m benchmarks

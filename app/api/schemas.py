@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
 
 from pydantic import BaseModel, Field
 
@@ -146,10 +146,16 @@ class ModelOut(BaseModel):
     )
 
 
+def or_chosen_fields(array: dict[str, Any]) -> None:
+    """Say in a schema that the objects in an array have the fields alone that `fields` names."""
+    chosen = {"type": "object", "description": "The fields named in `fields`, where it is given."}
+    array["items"] = {"anyOf": [array["items"], chosen]}
+
+
 class ModelsOut(BaseModel):
     """All registered models."""
 
-    models: list[ModelOut]
+    models: list[ModelOut] = Field(json_schema_extra=or_chosen_fields)
 
 
 class ParametersOut(BaseModel):

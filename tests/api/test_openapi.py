@@ -182,3 +182,25 @@ def test_nothing_of_the_program_itself_shows(app: FastAPI) -> None:
     text = send(app, b"/openapi.json").body
     for word in (b"WithModels", b"HTTPValidationError", b"app.optics", b".py"):
         assert word not in text
+
+
+def test_routes_that_answer_csv_say_so(schema: dict[str, Any]) -> None:
+    found = 0
+    for path, operations in schema["paths"].items():
+        for parameter in operations.get("get", {}).get("parameters", []):
+            if parameter["name"] == "format" and "csv" in parameter["schema"].get("enum", ()):
+                found += 1
+                assert "text/csv" in operations["get"]["responses"]["200"]["content"], path
+    assert found > 8
+
+
+@pytest.mark.parametrize(("path", "array"), [("/models", "models"), ("/materials", "materials")])
+def test_answers_of_chosen_fields_are_described(
+    schema: dict[str, Any], path: str, array: str
+) -> None:
+    answers = schema["paths"][PREFIX + path]["get"]["responses"]["200"]["content"]
+    name = answers["application/json"]["schema"]["$ref"].rpartition("/")[2]
+    whole, chosen = schema["components"]["schemas"][name]["properties"][array]["items"]["anyOf"]
+    assert "$ref" in whole
+    assert chosen["type"] == "object"
+    assert "required" not in chosen

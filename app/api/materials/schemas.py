@@ -6,6 +6,7 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from app.api.schemas import or_chosen_fields
 from app.materials.schema import Axis, Category, Confidence, Sample
 from app.optics.color import Adaptation, Gamut, Illuminant, Observer
 
@@ -82,7 +83,7 @@ class DatabaseOut(Answer):
 class MaterialsOut(Answer):
     """Presets, a page of those that the query fits."""
 
-    materials: list[MaterialOut]
+    materials: list[MaterialOut] = Field(json_schema_extra=or_chosen_fields)
     total: int = Field(description="How many fit, on all pages.")
     offset: int
     limit: int | None
