@@ -24,6 +24,12 @@ class Request:
     body: bytes
     broken: bool = False
 
+    def __repr__(self) -> str:
+        """Show what matters of it, and of long parts the beginning."""
+        shown = ", ".join(f"{name!r}: {value[:80]!r}" for name, value in self.headers)
+        ends = " broken" if self.broken else ""
+        return f"<{self.method!r} {self.target[:600]!r} {{{shown}}} {self.body[:300]!r}{ends}>"
+
     def wire(self) -> bytes:
         """Write it down."""
         lines = [self.method + b" " + self.target + b" HTTP/1.1"]

@@ -120,8 +120,8 @@ def test_no_request_breaks_the_server(served: Served, client: Client) -> None:
             client.memory.append(resident(served))
             print(f"{client.sent:>9} requests {client.memory[-1] / 1e6:8.1f} MB resident")  # noqa: T201
         if answer is None:
-            assert request.broken or not served.process.poll(), request
-            client.statuses["hung up" if request.broken else "no answer"] += 1
+            assert request.broken, f"no answer to {request}"
+            client.statuses["hung up"] += 1
         else:
             client.statuses[str(answer[0])] += 1
             judge(request, *answer)
@@ -130,6 +130,5 @@ def test_no_request_breaks_the_server(served: Served, client: Client) -> None:
     assert served.ask("/api/v1/health").status == 200
     seconds = time.monotonic() - began
     print(f"\n{client.sent} requests in {seconds:.0f} s: {dict(sorted(client.statuses.items()))}")  # noqa: T201
-    assert client.statuses["no answer"] == 0
     second_half = client.memory[len(client.memory) // 2 :]
     assert max(second_half) - min(second_half) < 50e6, "grows"

@@ -8,12 +8,15 @@ from typing import Any
 import schemathesis
 from hypothesis import HealthCheck, settings
 from schemathesis import Case
-from schemathesis.checks import positive_data_acceptance
+from schemathesis.checks import negative_data_rejection, positive_data_acceptance
 
 from app.main import create_app
 
 # Examples a route; `make fuzz` asks for more.
-EXAMPLES = int(os.environ.get("FUZZ_EXAMPLES", "8"))
+EXAMPLES = int(os.environ.get("FUZZ_EXAMPLES", "4"))
+
+# Bytes are sent as they are made: no Arrow stream, and to be refused as that.
+schemathesis.serializer.alias("application/vnd.apache.arrow.stream", "application/octet-stream")
 
 schema = schemathesis.openapi.from_asgi("/openapi.json", create_app())
 
@@ -28,4 +31,7 @@ schema = schemathesis.openapi.from_asgi("/openapi.json", create_app())
 )
 def test_answers_are_those_that_the_schema_promises(case: Case[Any]) -> None:
     # A schema cannot say that a preset takes the place of an index, or that ends are in order.
-    case.call_and_validate(excluded_checks=[positive_data_acceptance])
+    excluded = [positive_data_acceptance]
+    if case.path == "/api/v1/evaluate":  # which answers for each item, for wrong ones by an error
+        excluded.append(negative_data_rejection)
+    case.call_and_validate(excluded_checks=excluded)
