@@ -45,6 +45,10 @@ class Config(uvicorn.Config):
         self.settings = settings
 
 
+_LINGER_S = 2.0
+"""How long a client that was refused may take to stop sending."""
+
+
 class Refused(Exception):
     """Stops the parser."""
 
@@ -225,7 +229,13 @@ class BoundedProtocol(HttpToolsProtocol):
             or not (self._in_head or cycle.response_started)
         ):
             self._write_problem(status, detail)
-        self.transport.close()
+        if status == HTTPStatus.SERVICE_UNAVAILABLE:  # before anything was read, to be rid of it
+            self.transport.close()
+        elif not self.transport.is_closing():
+            # Closed at once, with bytes that nobody read, the connection would be reset, and the
+            # client might never see the answer. What still comes is read and forgotten.
+            self.transport.write_eof()
+            self.loop.call_later(_LINGER_S, self.transport.close)
         self._watch_writing()
 
     def _write_problem(self, status: int, detail: str) -> None:

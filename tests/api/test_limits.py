@@ -57,6 +57,12 @@ class TestSize:
         assert get(tight, longest).status == 422
         refused(get(tight, longest + b"1"), 414, "FRESNEL_MAX_TARGET_BYTES")
 
+    def test_a_refusal_arrives_though_more_is_sent(self, tight: Address) -> None:
+        """Closing at once would reset the connection, and the answer with it."""
+        for _ in range(20):
+            answer = get(tight, API + b"/snell?n_t=" + b"1" * 400_000)
+            refused(answer, 414, "FRESNEL_MAX_TARGET_BYTES")
+
     def test_headers_together(self, tight: Address) -> None:
         def with_headers(count: int) -> Answer:
             more = b"".join(b"X%03d: " % i + b"v" * 90 + b"\r\n" for i in range(count))

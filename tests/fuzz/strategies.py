@@ -30,6 +30,9 @@ class Request:
         ends = " broken" if self.broken else ""
         return f"<{self.method!r} {self.target[:600]!r} {{{shown}}} {self.body[:300]!r}{ends}>"
 
+    def _repr_pretty_(self, printer: Any, _: bool) -> None:
+        printer.text(repr(self))
+
     def wire(self) -> bytes:
         """Write it down."""
         lines = [self.method + b" " + self.target + b" HTTP/1.1"]
