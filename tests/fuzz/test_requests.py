@@ -23,7 +23,7 @@ from app.optics.registry import default_registry
 from tests.fuzz.strategies import Request, operations, requests
 from tests.serve.command import Served, serving
 
-REQUESTS = int(os.environ.get("FUZZ_REQUESTS", "1500"))
+REQUESTS = int(os.environ.get("FUZZ_REQUESTS", "600"))
 SEED = int(os.environ.get("FUZZ_SEED", "7"))
 KNOWN = operations(create_app().openapi())
 IDS = [*default_registry(), "Au", "water", "BK7", "vacuum", "nope"]
