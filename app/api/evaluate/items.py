@@ -25,6 +25,7 @@ _AT_A_TIME = 20_000
 """Items that exist as Python objects at a time."""
 
 _NUMBER = itemgetter(0)
+_NOTHING = [msgspec.Raw()]
 
 _PLACE = re.compile(r" - at `\$\.?([\w.]*)")
 _UNKNOWN = re.compile(r"unknown field `(.*)`")
@@ -102,10 +103,12 @@ class ItemReader:
         gathered = _Gathered(self._choices)
         for start in range(0, len(raw), _AT_A_TIME):
             part = raw[start : start + _AT_A_TIME]
-            gathered.add(start, *self._decoded(part))
+            items, columns, wrong = self._decoded(part)
+            gathered.add(items, columns, [(start + index, part[index]) for index in wrong])
+            raw[start : start + len(part)] = _NOTHING * len(part)  # makes room for the columns
             if gathered.values > MOST_VALUES:
                 raise TooManyValues(gathered.values)
-        return gathered.items(raw, self)
+        return gathered.items(self)
 
     def _decoded(self, raw: list[msgspec.Raw]) -> tuple[list[Any], list[str], list[int]]:
         """Decode items, the columns they may hold, and which of them cannot be decoded."""
@@ -205,10 +208,12 @@ class _Gathered:
         self._choices = choices
         self._parts: list[_Part] = []
         self._distinct: dict[str, dict[str, int]] = {"model": {}, "quantity": {}}
-        self._malformed: list[int] = []
+        self._malformed: list[tuple[int, msgspec.Raw]] = []
         self.values = 0
 
-    def add(self, start: int, items: list[Any], columns: list[str], wrong: list[int]) -> None:
+    def add(
+        self, items: list[Any], columns: list[str], malformed: list[tuple[int, msgspec.Raw]]
+    ) -> None:
         """Append decoded items."""
         size = len(items)
         numbers = {}
@@ -231,7 +236,7 @@ class _Gathered:
             theta = np.fromiter(angles, np.float64, size)
         codes = {name: self._codes(name, items) for name in self._distinct}
         self._parts.append(_Part(numbers, codes, theta, counts, listed))
-        self._malformed += [start + index for index in wrong]
+        self._malformed += malformed
         self.values += theta.size
 
     def _codes(self, name: str, items: list[Any]) -> Index:
@@ -241,7 +246,7 @@ class _Gathered:
             distinct.setdefault(text, len(distinct))
         return np.fromiter(map(distinct.__getitem__, said), np.intp, len(said))
 
-    def items(self, raw: list[msgspec.Raw], reader: ItemReader) -> Items:
+    def items(self, reader: ItemReader) -> Items:
         """All that was added; columns that nobody gave are left out."""
         parts = self._parts or [_NO_PART]
         names = dict.fromkeys(name for part in parts for name in part.numbers)
@@ -259,7 +264,7 @@ class _Gathered:
             np.concatenate([part.theta_i_deg for part in parts]),
             np.concatenate([part.counts for part in parts]),
             np.concatenate([part.listed for part in parts]),
-            [(index, raw[index]) for index in self._malformed],
+            self._malformed,
             reader,
         )
 
