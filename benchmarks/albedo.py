@@ -8,7 +8,7 @@ import statistics
 import time
 from collections.abc import Iterator
 
-from benchmarks.curves import served
+from benchmarks.load import served
 
 ROUNDS = 7
 REQUESTS = 100

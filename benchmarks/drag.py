@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 
 from playwright.async_api import Browser, Page, Response, async_playwright
 
-from benchmarks.curves import served
+from benchmarks.load import served
 
 SECONDS = 3.0
 SWEEPS_PER_SECOND = 0.5

@@ -6,7 +6,7 @@ import itertools
 import statistics
 
 from benchmarks.albedo import mean_ms
-from benchmarks.curves import served
+from benchmarks.load import served
 
 ROUNDS = 7
 REQUESTS = 40

@@ -8,8 +8,8 @@ import statistics
 
 from playwright.async_api import Browser, Response, async_playwright
 
-from benchmarks.curves import served
 from benchmarks.drag import find_browser
+from benchmarks.load import served
 
 REDRAW_BAR_MS = 100.0
 RELEASES = 12
