@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 from playwright.async_api import Browser, Page, async_playwright
 
-from benchmarks.curves import served
 from benchmarks.drag import find_browser
+from benchmarks.load import served
 
 SECONDS = 4.0
 SIDE = 512
