@@ -85,7 +85,7 @@ export function createStage({ state, actions, onMeasured, save }) {
   let measuring;
   /** @type {ReturnType<typeof setInterval> | undefined} */
   let flicker;
-  /** @type {((name: 'left' | 'right', force: boolean) => void) | null} */
+  /** Gives the renderer its textures; again all of them after it has lost them. @type {((force: boolean) => void) | null} */
   let upload = null;
 
   canvas.addEventListener("webglcontextlost", (event) => {
@@ -96,7 +96,7 @@ export function createStage({ state, actions, onMeasured, save }) {
   canvas.addEventListener("webglcontextrestored", () => {
     renderer = createRenderer(canvas);
     setText(lost, "");
-    upload?.("left", true);
+    upload?.(true);
     actions.set({});
   });
 
@@ -330,10 +330,10 @@ export function createStage({ state, actions, onMeasured, save }) {
     works: renderer !== null,
     /** @param {(renderer: import('./renderer.js').Renderer, force: boolean) => void} fill what gives the renderer its textures */
     feed(fill) {
-      upload = (_, force) => {
+      upload = (force) => {
         if (renderer) fill(renderer, force);
       };
-      upload("left", false);
+      upload(false);
     },
     /**
      * @param {Omit<Picture, 'camera' | 'show' | 'split' | 'gain'>} scene
