@@ -209,7 +209,7 @@ export function createFormulas({ catalog, actions, say }) {
         h(
           "section",
           { "data-kind": id },
-          h("h4", {}, name),
+          h("h3", {}, name),
           h("ul", {}, ...entries.filter((e) => e.formula.kind === id).map((e) => e.li)),
         ),
       ),
