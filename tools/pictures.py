@@ -31,6 +31,8 @@ SCENE = ".differences:not([data-stale]) dd:not(:empty)"
 PICTURES: tuple[tuple[str, Literal["light", "dark"], str, str], ...] = (
     ("explore-light.png", "light", "/?n_t=1.5&theta_i_deg=64&models=schlick", CURVES),
     ("explore-dark.png", "dark", "/?n_t=1.5&theta_i_deg=64&models=schlick", CURVES),
+    ("theory-light.png", "light", "/?view=theory&step=below&own_deg=40", CURVES),
+    ("theory-dark.png", "dark", "/?view=theory&step=below&own_deg=40", CURVES),
     ("preview.png", "light", "/?view=preview&split=0.46", SCENE),
 )
 

@@ -98,7 +98,9 @@ function card(claim) {
       h(
         "summary",
         {},
-        `${claim.figures.length} ${claim.figures.length === 1 ? "figure" : "figures"} and the requests that give them`,
+        claim.figures.length === 1
+          ? "The figure and the request that gives it"
+          : `${claim.figures.length} figures and the requests that give them`,
       ),
       h(
         "table",

@@ -146,7 +146,7 @@ export const STEPS = [
     text: [
       "Now let the light come from the denser side, as a diver sees it. The refracted ray bends away from the normal, and at the **critical angle** $\\sin\\theta_c=n_t/n_i$ it lies flat on the surface. Beyond it nothing goes through: $R$ is exactly 1.",
       "No mirror is that good. Light in a glass fiber is reflected this way a million times. The diver sees all of the sky within a round window overhead, and mirrored ground around it.",
-      "The glow above the surface is the evanescent wave: light that reaches out by a fraction of a wavelength and comes back.",
+      "The picture lets light come from above as always: turn it over in your mind. The glow beyond the surface is the evanescent wave, light that reaches out by a fraction of a wavelength and comes back.",
     ],
     formula: "angle.critical",
     picture: "surface",
@@ -168,7 +168,7 @@ export const STEPS = [
         reply: "The refracted ray lies in the surface and carries nothing any more.",
       },
       {
-        say: "Keep the ray at 45° and raise n_i until all of it is caught.",
+        say: "Keep the ray at 45° and raise $n_i$ until all of it is caught.",
         done: ({ reading, setting }) => near(setting.deg, 45, 0.01) && reading?.tir === true,
         reply:
           "From the root of 2, 1.414, on: every glass does it, which is how prisms turn light in binoculars.",
@@ -271,13 +271,13 @@ export const STEPS = [
         : "",
     tries: [
       {
-        say: "Keep n and raise k until half of the light is reflected straight on.",
+        say: "Keep $n$ and raise $k$ until half of the light is reflected straight on.",
         done: ({ reading }) => (reading?.interface.F0 ?? 0) >= 0.5,
         reply:
           "Absorbing more means reflecting more: the strongest absorbers are the best mirrors.",
       },
       {
-        say: "Make it silver: n = 0.05 and k = 4.",
+        say: "Make it silver: $n=0.05$ and $k=4$.",
         done: ({ reading }) =>
           near(reading?.interface.n_t, 0.05, 0.02) && near(reading?.interface.k_t, 4, 0.15),
         reply: "Over 98 % at every angle. With so little n, hardly anything is absorbed either.",

@@ -122,7 +122,7 @@ export const TRAPS = [
     live: (scene) => against(scene, "complex_dielectric", "misunderstood"),
     tries: [
       {
-        say: "Bring k to 0: where has the mistake gone?",
+        say: "Bring $k$ to 0: where has the mistake gone?",
         done: ({ reading }) => reading !== null && reading.interface.k_t === 0,
         reply: "It hides. Test a conductor's code with conductors.",
       },
