@@ -302,9 +302,7 @@ def test_a_link_reproduces_the_view(quiet_page: Page) -> None:
 
 def test_a_link_to_an_unknown_preset_says_so(quiet_page: Page) -> None:
     page = opened(quiet_page, "&preset=unobtainium")
-    expect(page.locator(".notice")).to_contain_text(
-        "preset = unobtainium: it is none of the"
-    )
+    expect(page.locator(".notice")).to_contain_text("preset = unobtainium: it is none of the")
     expect(page.locator(".material-name")).to_have_text("Gold")
 
 
