@@ -8,7 +8,7 @@ import statistics
 import time
 from collections.abc import Iterator
 
-from benchmarks.load import served
+from benchmarks.load import served, under_uvicorn
 
 ROUNDS = 7
 REQUESTS = 100
@@ -36,7 +36,7 @@ def mean_ms(port: int, path: str, numbers: Iterator[float], requests: int = REQU
 def main(application: str = "app.main:create_app") -> None:
     """Print the times and their ratios, medians of the rounds."""
     numbers = (1.2 + 1e-6 * i for i in itertools.count())
-    with served(application, "--factory") as port:
+    with served(*under_uvicorn(application, "--factory")) as port:
         cold = mean_ms(port, MAP, iter([1.7]), requests=1)
         repeated = mean_ms(port, MAP, itertools.repeat(1.7))
         rounds = [

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 
 from playwright.async_api import Browser, Page, Response, async_playwright
 
-from benchmarks.load import served
+from benchmarks.load import OURS, served
 
 SECONDS = 3.0
 SWEEPS_PER_SECOND = 0.5
@@ -207,7 +207,7 @@ async def run(port: int) -> None:
 
 def main() -> None:
     """Serve the application with one worker and measure it."""
-    with served("app.main:create_app", "--factory") as port:
+    with served(*OURS) as port:
         asyncio.run(run(port))
 
 

@@ -6,7 +6,7 @@ import itertools
 import statistics
 
 from benchmarks.albedo import mean_ms
-from benchmarks.load import served
+from benchmarks.load import served, under_uvicorn
 
 ROUNDS = 7
 REQUESTS = 40
@@ -36,7 +36,7 @@ def main(application: str = "app.main:create_app") -> None:
         "/errors/sweep, 201 steps": SWEEP,
         "/recommend, every model": RECOMMEND,
     }
-    with served(application, "--factory") as port:
+    with served(*under_uvicorn(application, "--factory")) as port:
         rounds = [
             {
                 "curves": mean_ms(port, CURVES, numbers, REQUESTS),

@@ -9,7 +9,7 @@ import statistics
 from playwright.async_api import Browser, Response, async_playwright
 
 from benchmarks.drag import find_browser
-from benchmarks.load import served
+from benchmarks.load import OURS, served
 
 REDRAW_BAR_MS = 100.0
 RELEASES = 12
@@ -79,7 +79,7 @@ async def run(port: int) -> None:
 
 def main() -> None:
     """Serve the application with one worker and measure it."""
-    with served("app.main:create_app", "--factory") as port:
+    with served(*OURS) as port:
         asyncio.run(run(port))
 
 

@@ -19,9 +19,9 @@ OURS = ("-c", "from app.cli import main; main()", "serve", "--port")
 """Arguments of Python that serve this program as its command does, on the port that follows."""
 
 
-def under_uvicorn(application: str) -> tuple[str, ...]:
+def under_uvicorn(application: str, *options: str) -> tuple[str, ...]:
     """Arguments of Python that serve another application, on the port that follows."""
-    return ("-m", "uvicorn", application, "--log-level", "warning", "--port")
+    return ("-m", "uvicorn", application, *options, "--log-level", "warning", "--port")
 
 
 @contextlib.contextmanager

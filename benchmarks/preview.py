@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from playwright.async_api import Browser, Page, async_playwright
 
 from benchmarks.drag import find_browser
-from benchmarks.load import served
+from benchmarks.load import OURS, served
 
 SECONDS = 4.0
 SIDE = 512
@@ -143,7 +143,7 @@ async def run(port: int) -> None:
 
 def main() -> None:
     """Serve the application with one worker and measure it."""
-    with served("app.main:create_app", "--factory") as port:
+    with served(*OURS) as port:
         asyncio.run(run(port))
 
 
