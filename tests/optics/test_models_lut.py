@@ -1,6 +1,7 @@
 """The lookup texture against a table built and read one texel at a time."""
 
 import struct
+import tracemalloc
 
 import mpmath as mp
 import numpy as np
@@ -59,6 +60,18 @@ def test_many_interfaces_each_have_their_own_table() -> None:
     assert together.shape == (2, 19)
     for row, media in zip(together, [(1.0, 1.333, 0.0), (1.0, 1.5, 5.0)], strict=True):
         np.testing.assert_array_equal(row, model(Interface(*media), incidence, size=16))
+
+
+def test_the_largest_tables_of_many_interfaces_stay_small() -> None:
+    many = Interface(1.0, np.linspace(1.2, 2.0, 5000))
+    mu = Incidence.from_cosine(np.linspace(0.0, 1.0, 5000))
+    tracemalloc.start()
+    try:
+        default_registry()["lut_1d"](many, mu, size=4096)
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert peak < 20e6  # all texels would be 160 MB
 
 
 def test_only_whole_sizes_and_real_depths() -> None:

@@ -35,34 +35,22 @@ FILTERING = Parameter(
 )
 
 
-def table(interface: Interface, size: int, bits: int) -> Array:
-    """Texels j = 0 ... N - 1 with R at mu = j / (N - 1), on a new last axis, quantized."""
-    columns = Interface(
-        *(m[..., np.newaxis] for m in (interface.n_i, interface.n_t, interface.k_t))
-    )
-    texels = reflectance(columns, Incidence.from_cosine(np.linspace(0.0, 1.0, size)))
-    return quantize(texels, DEPTHS[bits])
-
-
 def lut_1d(
     interface: Interface, incidence: Incidence, size: Array, bits: Array, filtering: Array
 ) -> Array:
-    """Read the table at cos(theta_i)."""
-    texels = table(interface, _one("size", size), _one("bits", bits))
-    position = incidence.cos * (texels.shape[-1] - 1)
-    shape = np.broadcast_shapes(texels.shape[:-1], position.shape)
-    texels, position = (
-        np.broadcast_to(texels, (*shape, texels.shape[-1])),
-        np.broadcast_to(position, shape),
-    )
+    """Read the table at cos(theta_i): texels j = 0 ... N - 1 hold R at mu = j / (N - 1)."""
+    at = np.linspace(0.0, 1.0, _one("size", size))
+    depth = DEPTHS[_one("bits", bits)]
+    position = incidence.cos * (at.size - 1)
 
     def texel(index: Array) -> Array:
-        where = index.astype(np.intp)[..., np.newaxis]
-        return np.asarray(np.take_along_axis(texels, where, axis=-1)[..., 0])
+        # Only those that are read: the whole tables of many interfaces would fill the memory.
+        mu = at[index.astype(np.intp)]
+        return quantize(reflectance(interface, Incidence.from_cosine(mu)), depth)
 
     if _one("filtering", filtering) == 0:
         return texel(np.floor(position + 0.5))
-    low = np.minimum(np.floor(position), texels.shape[-1] - 2)
+    low = np.minimum(np.floor(position), at.size - 2)
     fraction = position - low
     return np.asarray((1.0 - fraction) * texel(low) + fraction * texel(low + 1.0))
 
