@@ -8,10 +8,12 @@ import typer
 from pydantic import ValidationError
 
 from app import __version__, server
+from app.commands import queries
 from app.commands.evaluate import evaluate
 from app.settings import Settings
 
 cli = typer.Typer(
+    cls=queries.WithQueries,
     add_completion=True,
     no_args_is_help=False,
     help="Reflection at smooth surfaces: the page, its REST API and the API's queries.",

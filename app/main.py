@@ -120,13 +120,14 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     ]
     table = RouteTable(routers)
     routers += [claims.router(table), figures.router(table, settings.static_dir)]
+    app.state.table = RouteTable(routers)
     problems.install(app)
     app.add_middleware(OpenToOtherPages, prefixes=(f"{PREFIX}/", "/openapi.json"))
     app.add_middleware(SecurityHeaders)
     app.add_middleware(HeadAsGet)
     app.add_middleware(
         Front,
-        table=RouteTable(routers),
+        table=app.state.table,
         prefix=PREFIX,
         cache=AnswerCache(settings.cache_bytes),
         pool=pool,

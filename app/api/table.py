@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from functools import partial
 from typing import Any
+from urllib.parse import unquote
 
 import orjson
 from fastapi import APIRouter
@@ -47,7 +48,7 @@ class RouteTable:
             If no route has the path.
         """
         path, _, query = target.partition("?")
-        route, parts = self.find(path)
+        route, parts = self.find(unquote(path))
         if route is None:
             raise LookupError(path)
         answer = route.answer(parts, route.read(query.encode()))

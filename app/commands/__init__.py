@@ -1,1 +1,1 @@
-"""The commands of `fresnel-explorer` beside `serve`, one a module."""
+"""The commands of `fresnel-explorer` beside `serve`."""

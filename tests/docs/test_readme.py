@@ -1,18 +1,25 @@
 """What the README says is so: its commands, its example, its tables, its links."""
 
 import asyncio
+import io
 import re
 import shlex
 import subprocess
+import urllib.request
 from pathlib import Path
+from typing import Any
 from urllib.parse import urlsplit
 
 import httpx
+import plotly.graph_objects
 import pytest
+from typer.testing import CliRunner
 
+from app.cli import cli
 from app.main import create_app
 from app.optics.registry import default_registry
 from app.settings import Settings
+from tests.api.raw import send
 from tools.readme import PARTS, refreshed
 
 ROOT = Path(__file__).parents[2]
@@ -23,6 +30,8 @@ BLOCKS: list[tuple[str, str]] = re.findall(
 COMMANDS = [line for language, block in BLOCKS if language == "sh" for line in block.splitlines()]
 MAKE = [command for command in COMMANDS if command.startswith("make ")]
 CALLS = [command for command in COMMANDS if command.startswith("curl ")]
+ASKED = [command for command in COMMANDS if command.startswith("fresnel-explorer ")]
+CELLS = [block for language, block in BLOCKS if language == "python"]
 TARGETS = re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text("utf-8"), re.MULTILINE)
 # Of Markdown [text](address), of HTML src="address" and srcset="address".
 ADDRESSES = re.findall(r"\]\(([^)\s]+)\)|src(?:set)?=\"([^\"]+)\"", README)
@@ -32,7 +41,7 @@ RELATIVE = sorted({path for pair in ADDRESSES for path in pair if path and "://"
 def test_every_command_is_one_that_is_checked_here() -> None:
     assert {"make run", "make test"} <= set(MAKE)
     assert len(CALLS) == 1
-    assert sorted(COMMANDS) == sorted(MAKE + CALLS)
+    assert sorted(COMMANDS) == sorted(MAKE + CALLS + ASKED)
 
 
 @pytest.mark.parametrize("command", [*MAKE, *re.findall(r"`(make [a-z]+)`", README)])
@@ -60,6 +69,38 @@ def test_the_call_gives_the_answer_shown() -> None:
     response = asyncio.run(answer(address))
     assert response.status_code == 200
     assert response.text.splitlines() == shown.splitlines()
+
+
+@pytest.mark.parametrize("command", ASKED)
+def test_a_command_prints_what_is_shown(command: str) -> None:
+    at = next(i for i, (_, block) in enumerate(BLOCKS) if command in block)
+    language, shown = BLOCKS[at + 1]
+    assert language == "text"
+    result = CliRunner().invoke(cli, shlex.split(command)[1:])
+    assert result.exit_code == 0
+    assert result.output.splitlines() == shown.splitlines()
+
+
+def test_a_cell_shows_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Three lines, run as they stand; the last one's value is what a notebook shows."""
+    (cell,) = CELLS
+    *before, last = cell.strip().splitlines()
+    assert len(before) == 2
+    app = create_app()
+
+    def urlopen(address: str) -> io.BytesIO:
+        parts = urlsplit(address)
+        assert parts.netloc == "127.0.0.1:8000"
+        answer = send(app, f"{parts.path}?{parts.query}".encode())
+        assert answer.status == 200
+        return io.BytesIO(answer.body)
+
+    monkeypatch.setattr(urllib.request, "urlopen", urlopen)
+    names: dict[str, Any] = {}
+    exec("\n".join(before), names)  # noqa: S102 - the README's own lines
+    figure = eval(last, names)  # noqa: S307
+    assert isinstance(figure, plotly.graph_objects.Figure)
+    assert {trace.name for trace in figure.data} == {"exact", "Schlick", "1 - cos"}
 
 
 def test_generated_parts_are_fresh() -> None:

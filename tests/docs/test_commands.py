@@ -1,0 +1,205 @@
+"""The queries of the command line: the API's answers, its parameters and its words."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote, urlencode
+
+import pytest
+import typer
+from fastapi import FastAPI
+from typer.testing import CliRunner
+
+from app.api.table import RouteTable
+from app.cli import cli
+from app.commands import plots
+from app.commands.queries import COMMANDS, Command
+from app.main import create_app
+from tests.api.raw import send
+
+ROOT = Path(__file__).parents[2]
+ASKED: dict[str, tuple[str, dict[str, str]]] = {
+    "curve": ("", {"n_t": "1.5", "models": "exact,schlick", "samples": "5"}),
+    "snell": ("", {"n_t": "1.5", "theta_i_deg": "64"}),
+    "albedo": ("", {"n_t": "1.5", "models": "schlick"}),
+    "errors": ("", {"n_t": "1.5", "models": "lazanyi2005", "k_t": "5", "lazanyi2005.alpha": "7.7"}),
+    "recommend": ("", {"material": "Au", "max_error": "0.01"}),
+    "material": ("Au", {"wavelength_nm": "500"}),
+    "materials": ("", {"q": "gold"}),
+    "convert": ("", {"from": "rg", "r": "0.5", "g": "0.25"}),
+    "models": ("", {"fields": "id,title,kind,applies_to"}),
+    "claims": ("", {"verdict": "does not hold"}),
+}
+
+
+@pytest.fixture(scope="module")
+def app() -> FastAPI:
+    return create_app()
+
+
+def run(*arguments: str) -> Any:
+    return CliRunner().invoke(cli, arguments)
+
+
+def options(query: dict[str, str]) -> list[str]:
+    return [word for name, value in query.items() for word in (f"--{name}", value)]
+
+
+def api(app: FastAPI, command: Command, query: dict[str, str]) -> bytes:
+    path = command.route.replace("{material}", quote(ASKED["material"][0]))
+    answer = send(app, f"/api/v1{path}?{urlencode(query)}".encode())
+    assert answer.status == 200
+    return answer.body
+
+
+def test_every_command_is_tried_here() -> None:
+    assert [command.name for command in COMMANDS] == list(ASKED)
+
+
+@pytest.mark.parametrize("command", COMMANDS, ids=lambda command: command.name)
+def test_json_is_the_answer_of_the_api(app: FastAPI, command: Command) -> None:
+    argument, query = ASKED[command.name]
+    result = run(command.name, *filter(None, [argument]), *options(query), "--format", "json")
+    assert result.exit_code == 0, result.output
+    assert json.loads(result.output) == json.loads(api(app, command, query))
+
+
+@pytest.mark.parametrize("command", COMMANDS, ids=lambda command: command.name)
+def test_tables_and_csv_show_it(command: Command) -> None:
+    argument, query = ASKED[command.name]
+    call = (command.name, *filter(None, [argument]), *options(query))
+    table = run(*call)
+    assert table.exit_code == 0, table.output
+    assert "───" in table.output
+    assert not any(line.endswith(" ") for line in table.output.splitlines())
+    written = run(*call, "--format", "csv")
+    header, *rows = csv.reader(io.StringIO(written.output))
+    assert rows
+    assert all(len(row) == len(header) for row in rows)
+
+
+def test_a_table_holds_the_numbers(app: FastAPI) -> None:
+    answer = json.loads(api(app, COMMANDS[3], {"n_t": "1.5", "models": "schlick", "digits": "4"}))
+    row = answer["errors"][0]
+    printed = run("errors", "--n_t", "1.5", "--models", "schlick", "--digits", "4").output.split()
+    for name in ("max_abs", "max_abs_at_deg", "rms", "max_relative"):
+        assert f"{row[name]:.12g}" in printed
+    csv_of_api = api(app, COMMANDS[0], {"samples": "3", "format": "csv"}).decode()
+    assert run("curve", "--samples", "3", "--format", "csv").output == csv_of_api.replace(
+        "\r\n", "\n"
+    )
+
+
+def test_a_flag_is_sent() -> None:
+    assert "56.3099" in run("curve", "--landmarks", "--digits", "6").output
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("snell", "--n_t", "-1"), ("n_t = -1", "0.001 to 100")),
+        (("snell", "--n_t", "nan"), ("n_t = nan",)),
+        (("errors", "--models", "schlik"), ("schlik", "schlick")),
+        (("curve", "--material", "Au", "--n_t", "2"), ("n_t = 2", "material = Au")),
+        (("material", "Gld"), ("Gld", "nearest")),
+        (("material", "../models"), ("../models",)),
+        (("convert", "--from", "nonsense"), ("from = nonsense",)),
+        (("recommend", "--max_error", "2"), ("max_error = 2",)),
+        (("curve", "--save", "figure.gif"), ("format = gif",)),
+        (("curve", "--nonsense", "1"), ("nonsense",)),
+        (("curve", "--format", "xml"), ("xml",)),
+        (("material",), ("MATERIAL",)),
+    ],
+)
+def test_what_is_wrong_is_told_in_the_apis_words(
+    arguments: tuple[str, ...], words: tuple[str, ...]
+) -> None:
+    result = run(*arguments)
+    assert result.exit_code == 2
+    for word in words:
+        assert word.lower() in result.output.lower()
+    assert "Traceback" not in result.output
+
+
+@pytest.mark.parametrize("command", [c for c in COMMANDS if c.figure], ids=lambda c: c.name)
+def test_figures_in_the_terminal_and_in_files(command: Command, tmp_path: Path) -> None:
+    argument, query = ASKED[command.name]
+    call = (command.name, *filter(None, [argument]), *options(query))
+    drawn = run(*call, "--plot")
+    assert drawn.exit_code == 0, drawn.output
+    assert drawn.output.count("┤") > 4
+    assert "angle of incidence" in drawn.output
+    file = tmp_path / "figure.html"
+    assert run(*call, "--save", str(file)).exit_code == 0
+    assert b"Fresnel Explorer" in file.read_bytes()
+
+
+def test_a_figure_is_opened(monkeypatch: pytest.MonkeyPatch) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr(typer, "launch", opened.append)
+    result = run("snell", "--theta_i_deg", "30", "--open")
+    assert result.exit_code == 0
+    file = Path(opened[0].removeprefix("file://"))
+    assert file.read_bytes().startswith(b"<!doctype html>")
+    file.unlink()
+
+
+def test_every_parameter_of_a_route_is_an_option(
+    app: FastAPI, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "400")
+    table: RouteTable = app.state.table
+    for command in COMMANDS:
+        route, _ = table.find(command.route.replace("{material}", "Au"))
+        assert route is not None
+        told = run(command.name, "--help").output
+        fields = {} if route.query_model is None else route.query_model.model_fields
+        for name, info in fields.items():
+            assert f"--{info.alias or name}" in told, (command.name, name)
+        if command.figure:
+            assert table.find(f"/figures/{command.figure}")[0] is not None
+
+
+def test_help_names_every_command() -> None:
+    told = run("--help").output
+    for command in COMMANDS:
+        assert command.name in told
+    assert "serve" in told
+
+
+@pytest.mark.parametrize(
+    ("typed", "offered"),
+    [
+        ("curve --models exact,schl", "exact,schlick"),
+        ("curve --material A", "Au"),
+        ("convert --from f0", "f0_srgb"),
+        ("rec", "recommend"),
+    ],
+)
+def test_the_shell_completes(typed: str, offered: str) -> None:
+    environment = {
+        "_FRESNEL_EXPLORER_COMPLETE": "complete_bash",
+        "COMP_WORDS": f"fresnel-explorer {typed}",
+        "COMP_CWORD": str(len(typed.split())),
+    }
+    result = CliRunner().invoke(cli, [], env=environment, prog_name="fresnel-explorer")
+    assert offered in result.output.split()
+
+
+def test_the_version_does_not_wait_for_the_api() -> None:
+    code = "import sys, app.cli; print('app.main' in sys.modules, 'plotly' in sys.modules)"
+    told = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    assert told.stdout.split() == ["False", "False"]
+
+
+def test_markup_is_left_out_of_a_terminal() -> None:
+    assert plots._plain("n<sub>t</sub>") == "nt"
+    assert plots._plain(None) == ""
