@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Annotated, Any, Literal, NoReturn, get_args, get_origin
-from urllib.parse import quote, urlencode
+from urllib.parse import quote, unquote, urlencode
 
 import orjson
 import typer
@@ -173,7 +173,7 @@ def _ask(path: str, query: Mapping[str, str]) -> ReadyBody:
     try:
         return _table().ask(f"{path}?{urlencode(query)}")
     except LookupError:
-        _fail(PREFIX + path, HTTPException(404))
+        _fail(PREFIX + unquote(path), HTTPException(404))
     except PROBLEMS as error:
         _fail(PREFIX + path, error)
 

@@ -25,7 +25,7 @@ MEDIA_TYPES = {
 }
 
 _BUNDLE = "plotly-cartesian-*/plotly-cartesian.min.js"
-_FONT = "ibm-plex-sans-*/ibm-plex-sans-latin-400-700.woff2"
+_FONT = "ibm-plex-sans-*/ibm-plex-sans-latin-*.woff2"
 _DRAW = (
     "const figure = JSON.parse(document.getElementById('figure').textContent);"
     "Plotly.newPlot('plot', figure.data, figure.layout, "
