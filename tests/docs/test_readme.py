@@ -84,7 +84,7 @@ def test_a_command_prints_what_is_shown(command: str) -> None:
 def test_a_cell_shows_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:
     """Three lines, run as they stand; the last one's value is what a notebook shows."""
     (cell,) = CELLS
-    *before, last = cell.strip().splitlines()
+    *before, last = filter(None, cell.splitlines())
     assert len(before) == 2
     app = create_app()
 
