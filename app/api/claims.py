@@ -36,7 +36,7 @@ class SourceOut(BaseModel):
     where: str = Field(description="Section, equation or file of the source.")
 
 
-class FigureOut(BaseModel):
+class MeasurementOut(BaseModel):
     """A number that was measured."""
 
     name: str
@@ -69,7 +69,7 @@ class ClaimOut(BaseModel):
     domain: str = Field(description="Interfaces and angles it is measured over.")
     verdict: Verdict
     found: str = Field(description="What the figures say, in words.")
-    figures: list[FigureOut]
+    figures: list[MeasurementOut]
     parts: list[PartOut]
     example: str | None = Field(
         description="Named example of the page's Compare view that shows it."

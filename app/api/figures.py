@@ -67,14 +67,14 @@ class MaterialName(QueryModel):
     )
 
 
-class FigureOut(BaseModel):
+class PlotlyFigureOut(BaseModel):
     """A Plotly figure."""
 
     data: list[dict[str, Any]] = Field(description="Traces.")
     layout: dict[str, Any]
 
 
-class FigureEntryOut(BaseModel):
+class FigureKindOut(BaseModel):
     """One kind of figure."""
 
     name: str
@@ -83,10 +83,10 @@ class FigureEntryOut(BaseModel):
     of: str = Field(description="Path whose answer is drawn.")
 
 
-class FiguresOut(BaseModel):
+class FigureKindsOut(BaseModel):
     """All kinds of figures."""
 
-    figures: list[FigureEntryOut]
+    figures: list[FigureKindOut]
     formats: list[str]
 
 
@@ -247,14 +247,14 @@ def router(table: RouteTable, static_dir: Path) -> APIRouter:
         @routes.get(
             f"/figures/{kind.name}",
             name=kind.name,
-            response_model=FigureOut,
+            response_model=PlotlyFigureOut,
             responses={200: {"content": {media: {} for media in list(MEDIA_TYPES.values())[1:]}}},
             summary=f"Figure: {kind.title[0].lower()}{kind.title[1:]}",
         )
         def figure(query: Annotated[Query_, Query()]) -> Answer:  # type: ignore[valid-type]
             return Large(sent, kind, query)
 
-    @routes.get("/figures", response_model=FiguresOut, summary="Kinds of figures")
+    @routes.get("/figures", response_model=FigureKindsOut, summary="Kinds of figures")
     def kinds() -> Answer:
         listed = [
             {

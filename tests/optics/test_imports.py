@@ -36,7 +36,7 @@ LAYERS = {
     },
     "app.comments": set(),
     "app.page": {"app.comments", "app.ready"},
-    "app.routing": set(),
+    "app.routing": {"app.api"},
     "app.settings": set(),
 }
 OUTSIDE = {
