@@ -113,7 +113,7 @@ def test_a_lesson_leaves_the_media_of_the_other_views_alone(quiet_page: Page) ->
 
 def test_brewsters_angle_is_held_and_judged(quiet_page: Page) -> None:
     page = opened(quiet_page, query="&step=brewster")
-    slider = page.locator("#step-own_deg-slider")
+    slider = page.locator("#step-theta_i_deg-slider")
     slider.focus()
     for _ in range(60):
         page.keyboard.press("ArrowRight")
@@ -130,7 +130,7 @@ def test_total_reflection_is_reached_without_swapping(quiet_page: Page) -> None:
     page = opened(quiet_page, query="&step=below&own_deg=45&own_i=1")
     live = page.locator(".lesson-live:visible")
     expect(live).to_contain_text("no critical angle")
-    type_into(page, "#step-own_i-box", "1.42")
+    type_into(page, "#step-n_i-box", "1.42")
     expect(live).to_contain_text("all is reflected")
     expect(page.locator(".try", has_text="Keep the ray")).to_have_attribute("data-done", "")
     expect(page.locator(".lessons.path .diagram")).to_contain_text("total internal reflection")
@@ -138,12 +138,22 @@ def test_total_reflection_is_reached_without_swapping(quiet_page: Page) -> None:
 
 def test_the_critical_angle_is_reached_exactly(quiet_page: Page) -> None:
     page = opened(quiet_page, query="&step=below&own_deg=48.5")
-    slider = page.locator("#step-own_deg-slider")
+    slider = page.locator("#step-theta_i_deg-slider")
     slider.focus()
     page.keyboard.press("ArrowRight")
     expect(page.locator(".try", has_text="exactly")).to_have_attribute("data-done", "")
     assert float(link(page)["own_deg"]) == pytest.approx(48.60661, abs=1e-4)
     expect(page.locator(".lesson-live:visible")).to_contain_text("The critical angle is 48.61°")
+
+
+def test_a_number_that_is_none_is_refused_where_it_stands(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    type_into(page, "#step-theta_i_deg-box", "100")
+    expect(page.locator(".lessons.path .row-error:visible")).to_have_text(
+        "theta_i_deg = 100° is outside 0° to 90°"
+    )
+    type_into(page, "#step-theta_i_deg-box", "pi/3 rad")
+    expect(page).to_have_url(re.compile(r"own_deg=(60|59\.9)"))
 
 
 def test_colors_of_metals_are_exchanged(quiet_page: Page) -> None:
@@ -213,7 +223,7 @@ def test_a_formula_is_found_by_a_word(quiet_page: Page) -> None:
 def test_a_models_curve_follows_the_media_and_opens_in_compare(quiet_page: Page) -> None:
     page = opened(quiet_page, "formulas", "&formula=model.pharr_humphreys")
     expect(page.locator("#calls")).to_contain_text("/formulas/model.pharr_humphreys/curve")
-    type_into(page, "#formula-own_k-box", "5")
+    type_into(page, "#formula-k_t-box", "5")
     expect(page.locator("#calls")).to_contain_text("curve?k_t=5")
     page.locator(".formula-curve .lesson-more a").click()
     page.locator(".view-compare path.js-line").first.wait_for(state="attached", timeout=READY_MS)
@@ -321,7 +331,7 @@ def test_a_mystery_material_is_guessed(quiet_page: Page) -> None:
     hint.click()
     expect(page.locator(".hints li")).to_have_count(2)
     expect(page.locator(".hints")).to_contain_text("17.2\u00a0%")
-    type_into(page, "#mystery-own_n-box", "2.41")
+    type_into(page, "#mystery-n_t-box", "2.41")
     expect(page.locator(".mystery .lesson-live")).to_contain_text("apart")
     check.click()
     expect(verdict).to_contain_text("Found: n = 2.42, k = 0.")

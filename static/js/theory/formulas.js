@@ -119,9 +119,7 @@ export function createFormulas({ catalog, actions, say }) {
   const nav = h(
     "nav",
     { class: "formula-list", "aria-label": "Formulas" },
-    h("h2", {}, "Formulas"),
-    box,
-    none,
+    h("div", { class: "find" }, h("h2", {}, "Formulas"), box, none),
     groups,
   );
   const kind = h("p", { class: "lesson-count" });
@@ -239,7 +237,8 @@ export function createFormulas({ catalog, actions, say }) {
     const current = entries.find((e) => e.formula === formula)?.li;
     for (const box of [groups, nav])
       if (current && box.scrollHeight > box.clientHeight)
-        box.scrollTop += current.getBoundingClientRect().top - box.getBoundingClientRect().top - 80;
+        box.scrollTop +=
+          current.getBoundingClientRect().top - box.getBoundingClientRect().top - 120;
     setText(kind, KINDS[/** @type {keyof typeof KINDS} */ (formula.kind)]);
     setText(title, formula.title);
     equation.replaceChildren(display(formula.latex, formula.title));
@@ -328,7 +327,7 @@ export function createFormulas({ catalog, actions, say }) {
         );
         const row = createRow({
           parameter: {
-            name: own,
+            name: taken.name,
             symbol: taken.symbol,
             minimum: taken.minimum,
             maximum: taken.maximum,

@@ -50,7 +50,7 @@ export function createRows({ rows, presets, polarized = false, catalog, actions,
     if (!declared) throw new Error(`the server declares no ${parameter}`);
     const preset = /** @type {number} */ (presets[value]);
     const row = createRow({
-      parameter: { ...declared, name },
+      parameter: declared,
       prefix,
       preset,
       label,
