@@ -117,7 +117,9 @@ class _Task:
     ) -> Iterator[tuple[T, Index]]:
         """Part rows by what a column of names calls for, and refuse those that name nothing."""
         if which is None:
-            which = np.delete(np.arange(self.rows.count), list(self.rows.faults))
+            which = np.arange(self.rows.count)
+            if self.rows.faults:
+                which = np.delete(which, list(self.rows.faults))
         if column not in self.rows.names:
             yield find(default), which
             return
@@ -143,7 +145,7 @@ class _Task:
         present = [name for name in own if name in self.rows.numbers]
         pattern = np.zeros(which.size, dtype=np.intp)
         for bit, name in enumerate(present):
-            pattern |= (~np.isnan(self.rows.numbers[name][which])).astype(np.intp) << bit
+            pattern |= (~np.isnan(self._at(name, which))).astype(np.intp) << bit
         for bits, asked in _parted(pattern, which):
             given = [name for bit, name in enumerate(present) if bits >> bit & 1]
             self._evaluate(model, quantity, given, asked)
@@ -156,30 +158,32 @@ class _Task:
         if model.id == "exact":
             values = QUANTITIES[quantity](interface, incidence)
         else:
-            own = {
-                name.partition(".")[2]: _one_if_equal(self.rows.numbers[name][which])
-                for name in given
-            }
+            own = {name.partition(".")[2]: _one_if_equal(self._at(name, which)) for name in given}
             values = model(interface, incidence, **own)
         self.outcome.values[which] = values
 
+    def _at(self, name: str, which: Index) -> Array:
+        """A column at some rows, which are distinct and in order: all of them are the column."""
+        column = self.rows.numbers[name]
+        return column if which.size == self.rows.count else column[which]
+
     def _without_foreign(self, model: Model, own: Mapping[str, Parameter], which: Index) -> Index:
         """Refuse rows that give a parameter of another model, which would otherwise be lost."""
-        for name, column in self.rows.numbers.items():
+        for name in self.rows.numbers:
             if "." in name and name not in own:
-                given = ~np.isnan(column[which])
+                column = self._at(name, which)
+                given = ~np.isnan(column)
                 if given.any():
                     message = f"given although the model is {model.id}"
-                    self.refuse(which[given], name, column[which[given]].tolist(), message)
+                    self.refuse(which[given], name, column[given].tolist(), message)
                     which = which[~given]
         return which
 
     def _within_bounds(self, name: str, parameter: Parameter, which: Index) -> Index:
         """Refuse rows whose number is not allowed."""
-        column = self.rows.numbers.get(name)
-        if column is None:
+        if name not in self.rows.numbers:
             return which
-        values = column[which]
+        values = self._at(name, which)
         fine = parameter.admits(values) | np.isnan(values)
         if fine.all():
             return which
@@ -188,11 +192,11 @@ class _Task:
 
     def _numbers(self, name: str, parameter: Parameter, which: Index) -> Array | float:
         default = parameter.default or 0.0
-        column = self.rows.numbers.get(name)
-        if column is None:
+        if name not in self.rows.numbers:
             return default
-        values = column[which]
-        return _one_if_equal(np.where(np.isnan(values), default, values))
+        values = self._at(name, which)
+        left_out = np.isnan(values)
+        return _one_if_equal(np.where(left_out, default, values) if left_out.any() else values)
 
 
 def _one_if_equal(values: Array) -> Array | float:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from app.optics.choice import select
 from app.optics.parameters import MU, THETA_I, THETA_I_DEG, Array
 
 _RADIANS = np.pi / 180.0
@@ -43,10 +44,10 @@ class Incidence:
         # 90 - degrees is exact for degrees >= 45 (Sterbenz), so the octant turn costs nothing.
         steep = degrees > 45.0
         # By the tangent, the only one of the three that NumPy has in a vectorised form.
-        tangent = np.tan(_RADIANS * np.where(steep, 90.0 - degrees, degrees))
+        tangent = np.tan(_RADIANS * np.minimum(degrees, 90.0 - degrees))
         near = 1.0 / np.sqrt(1.0 + tangent * tangent)
         far = tangent * near
-        return cls(np.where(steep, far, near), np.where(steep, near, far), degrees)
+        return cls(select(steep, far, near), select(steep, near, far), degrees)
 
     @classmethod
     def from_radians(cls, theta_i: ArrayLike) -> Incidence:

@@ -65,7 +65,7 @@ class Interface:
     def kappa(self) -> Array:
         """Relative extinction k_t / n_i; 0 where the square of eta kappa would be no double."""
         ratio = self.k_t / self.n_i
-        return np.where(ratio < _SMALLEST_KAPPA, 0.0, ratio)
+        return np.asarray(ratio * (ratio >= _SMALLEST_KAPPA))
 
     @cached_property
     def eta_minus_1(self) -> Array:
