@@ -1,6 +1,7 @@
 """The Explore view, used as people use it: pointer, keys, links, and a server that fails."""
 
 import json
+import math
 import re
 from urllib.parse import urlsplit
 
@@ -312,6 +313,18 @@ def test_what_a_link_may_not_say_is_reported_shortly(quiet_page: Page) -> None:
     shown = notice.bounding_box()
     assert shown is not None
     assert shown["height"] < 180
+
+
+def test_the_critical_angle_is_reached_exactly_and_drawn(quiet_page: Page) -> None:
+    page = opened(quiet_page, "?n_i=1.5&n_t=1&theta_i_deg=41.5")
+    page.locator("#theta_i_deg-slider").focus()
+    page.keyboard.press("ArrowRight")
+    expect(number(page, "theta_t")).to_have_text("90.00°")
+    expect(page.locator(".diagram-host")).to_contain_text("90.00°")
+    expected = math.degrees(math.asin(1.0 / 1.5))
+    assert float(at_rest(page)["theta_i_deg"]) == pytest.approx(expected, abs=1e-12)
+    page.keyboard.press("ArrowRight")
+    expect(page.locator(".diagram-host")).to_contain_text("total internal reflection")
 
 
 def test_total_internal_reflection_needs_no_swap(quiet_page: Page) -> None:
