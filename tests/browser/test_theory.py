@@ -98,6 +98,14 @@ def test_a_task_is_found_by_arrow_keys(quiet_page: Page) -> None:
     expect(page).to_have_url(re.compile("own_deg=0"))
 
 
+def test_the_curves_are_read_as_a_table(quiet_page: Page) -> None:
+    page = opened(quiet_page, query="&step=schlick")
+    page.locator(".stage summary:visible").click()
+    rows = page.locator(".stage .plot-table tbody tr")
+    expect(rows.last).to_contain_text("90")
+    assert rows.count() > 20
+
+
 def test_a_lesson_leaves_the_media_of_the_other_views_alone(quiet_page: Page) -> None:
     page = quiet_page
     page.goto("/?n_t=1.7&theta_i_deg=30")
@@ -292,7 +300,7 @@ def test_claims_are_filtered_and_give_their_requests(quiet_page: Page) -> None:
     page.locator(".by-source").select_option(index=1)
     expect(page.locator(".claim-tools .hint")).to_contain_text("of")
     page.reload()
-    page.locator(".claim").first.wait_for(timeout=READY_MS)
+    page.locator(".claim:visible").first.wait_for(timeout=READY_MS)
     assert page.locator(".claim:visible").count() < total
 
 

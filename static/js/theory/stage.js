@@ -100,6 +100,15 @@ export function createStage({ catalog, name, onTheta, onSettle }) {
     h("div", { class: "plot-host" }, plotFrame),
     key,
   );
+  const tableHost = h("div", { class: "plot-table" });
+  const asTable = h(
+    "details",
+    { class: "definitions" },
+    h("summary", {}, "The curves as a table"),
+    tableHost,
+  );
+  asTable.addEventListener("toggle", () => fillTable());
+  curves.append(asTable);
   const element = h("div", { class: "stage" }, ray, curves);
 
   let theta = 0;
@@ -144,6 +153,10 @@ export function createStage({ catalog, name, onTheta, onSettle }) {
   /** @type {Trace[]} */
   let traces = [];
 
+  function fillTable() {
+    if (asTable.open) tableHost.replaceChildren(plot.table());
+  }
+
   /**
    * @param {readonly unknown[]} sources what the traces are made of
    * @param {string} look
@@ -157,6 +170,7 @@ export function createStage({ catalog, name, onTheta, onSettle }) {
     traces = make();
     if (moving && look === drawn.look) plot.fast(traces, landmarks);
     else void plot.draw(traces, landmarks);
+    if (!moving) fillTable();
     drawn = { sources, look, settled: !moving || look !== drawn.look };
   }
 
@@ -244,7 +258,6 @@ export function createStage({ catalog, name, onTheta, onSettle }) {
     },
     /** @param {string} words what the lines of a color picture are */
     explain: (words) => setText(key, words),
-    table: () => plot.table(),
     theme() {
       plot.theme();
     },
