@@ -24,6 +24,9 @@ from app.optics.registry import Registry
 _AT_A_TIME = 20_000
 """Items that exist as Python objects at a time."""
 
+_NAMES = {"model": "exact", "quantity": "R"}
+"""Columns of names, and what is meant where they are left out."""
+
 _NUMBER = itemgetter(0)
 _NOTHING = [msgspec.Raw()]
 
@@ -69,7 +72,7 @@ class ItemReader:
     def __init__(self, registry: Registry) -> None:
         self._columns = number_columns(registry)
         self._choices = {name: dict(p.choices) for name, p in self._columns.items() if p.choices}
-        common: list[tuple[str, Any, Any]] = [("model", str, "exact"), ("quantity", str, "R")]
+        common: list[tuple[str, Any, Any]] = [(name, str, said) for name, said in _NAMES.items()]
         own: list[tuple[str, Any, Any]] = []
         for name, parameter in self._columns.items():
             kind: Any = float
@@ -81,7 +84,7 @@ class ItemReader:
         # Most items give no model's own parameters, and those that do not are read much faster.
         self._common = _decoder("Item", common)
         self._all = _decoder("ItemOfAModel", [*common, *own])
-        self._known = ["model", "quantity", *self._columns]
+        self._known = [*_NAMES, *self._columns]
 
     def read(self, body: bytes | bytearray) -> Items:
         """Take a body apart.
@@ -100,11 +103,11 @@ class ItemReader:
             raise BadParameters({"parameter": "items", "value": None, "message": message}) from None
         if len(raw) > MOST_VALUES:
             raise TooManyValues(len(raw))
-        gathered = _Gathered(self._choices)
+        gathered = _Gathered(len(raw), self._choices)
         for start in range(0, len(raw), _AT_A_TIME):
             part = raw[start : start + _AT_A_TIME]
             items, columns, wrong = self._decoded(part)
-            gathered.add(items, columns, [(start + index, part[index]) for index in wrong])
+            gathered.add(start, items, columns, [(start + index, part[index]) for index in wrong])
             raw[start : start + len(part)] = _NOTHING * len(part)  # makes room for the columns
             if gathered.values > MOST_VALUES:
                 raise TooManyValues(gathered.values)
@@ -202,87 +205,81 @@ class Items:
 
 
 class _Gathered:
-    """Columns on their way to `Items`."""
+    """Columns on their way to `Items`, made as long as there are items when they are first needed.
 
-    def __init__(self, choices: dict[str, dict[str, float]]) -> None:
+    Parameters
+    ----------
+    size
+        How many items there are.
+    choices
+        Numbers by their names, of the columns that may be given by name.
+    """
+
+    def __init__(self, size: int, choices: dict[str, dict[str, float]]) -> None:
+        self._size = size
         self._choices = choices
-        self._parts: list[_Part] = []
-        self._distinct: dict[str, dict[str, int]] = {"model": {}, "quantity": {}}
+        self._numbers: dict[str, Array] = {}
+        self._codes: dict[str, Index] = {}
+        self._distinct = {name: {default: 0} for name, default in _NAMES.items()}
+        self._theta_i_deg: list[Array] = []
+        self._counts = np.ones(size, np.intp)
+        self._listed = np.zeros(size, np.bool_)
         self._malformed: list[tuple[int, msgspec.Raw]] = []
         self.values = 0
 
     def add(
-        self, items: list[Any], columns: list[str], malformed: list[tuple[int, msgspec.Raw]]
+        self,
+        start: int,
+        items: list[Any],
+        columns: list[str],
+        malformed: list[tuple[int, msgspec.Raw]],
     ) -> None:
-        """Append decoded items."""
-        size = len(items)
-        numbers = {}
+        """Take decoded items, of which the first is number `start`."""
+        here, size = slice(start, start + len(items)), len(items)
         for name in columns:
             given: Iterable[Any] = map(attrgetter(_attribute(name)), items)
             choices = self._choices.get(name)
             if choices:
                 given = (choices.get(value, value) for value in given)
             column = np.fromiter(given, np.float64, size)
-            if not np.isnan(column).all():
-                numbers[name] = column
-        angles = [item.theta_i_deg for item in items]
-        listed = np.fromiter((type(angle) is list for angle in angles), np.bool_, size)
-        counts = np.ones(size, np.intp)
-        if listed.any():
+            if name not in self._numbers and not np.isnan(column).all():
+                self._numbers[name] = np.full(self._size, np.nan)
+            if name in self._numbers:
+                self._numbers[name][here] = column
+        for name, distinct in self._distinct.items():
+            self._name(name, distinct, list(map(attrgetter(name), items)), here)
+        angles = list(map(attrgetter(THETA_I_DEG.name), items))
+        if list in set(map(type, angles)):
             arrays = [np.atleast_1d(np.array(angle, np.float64)) for angle in angles]
-            counts = np.fromiter(map(len, arrays), np.intp, size)
+            self._listed[here] = [type(angle) is list for angle in angles]
+            self._counts[here] = [array.size for array in arrays]
             theta = np.concatenate(arrays)
         else:
             theta = np.fromiter(angles, np.float64, size)
-        codes = {name: self._codes(name, items) for name in self._distinct}
-        self._parts.append(_Part(numbers, codes, theta, counts, listed))
+        self._theta_i_deg.append(theta)
         self._malformed += malformed
         self.values += theta.size
 
-    def _codes(self, name: str, items: list[Any]) -> Index:
-        said = list(map(attrgetter(name), items))
-        distinct = self._distinct[name]
+    def _name(self, name: str, distinct: dict[str, int], said: list[str], here: slice) -> None:
         for text in set(said):
             distinct.setdefault(text, len(distinct))
-        return np.fromiter(map(distinct.__getitem__, said), np.intp, len(said))
+        if len(distinct) == 1:
+            return  # all leave it out, or might as well
+        if name not in self._codes:
+            self._codes[name] = np.zeros(self._size, np.intp)
+        self._codes[name][here] = np.fromiter(map(distinct.__getitem__, said), np.intp, len(said))
 
     def items(self, reader: ItemReader) -> Items:
         """All that was added; columns that nobody gave are left out."""
-        parts = self._parts or [_NO_PART]
-        names = dict.fromkeys(name for part in parts for name in part.numbers)
         return Items(
-            {
-                name: np.concatenate(
-                    [part.numbers.get(name, np.full(part.counts.size, np.nan)) for part in parts]
-                )
-                for name in names
-            },
-            {
-                name: Names(np.concatenate([part.codes[name] for part in parts]), list(distinct))
-                for name, distinct in self._distinct.items()
-            },
-            np.concatenate([part.theta_i_deg for part in parts]),
-            np.concatenate([part.counts for part in parts]),
-            np.concatenate([part.listed for part in parts]),
+            self._numbers,
+            {name: Names(codes, list(self._distinct[name])) for name, codes in self._codes.items()},
+            np.concatenate([np.zeros(0), *self._theta_i_deg]),
+            self._counts,
+            self._listed,
             self._malformed,
             reader,
         )
-
-
-class _Part(NamedTuple):
-    """Columns of some of the items."""
-
-    numbers: dict[str, Array]
-    codes: dict[str, Index]
-    theta_i_deg: Array
-    counts: Index
-    listed: NDArray[np.bool_]
-
-
-_NO_INDEX = np.zeros(0, np.intp)
-_NO_PART = _Part(
-    {}, {"model": _NO_INDEX, "quantity": _NO_INDEX}, np.zeros(0), _NO_INDEX, np.zeros(0, np.bool_)
-)
 
 
 def _attribute(name: str) -> str:
