@@ -17,6 +17,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.comments import without_comments
 from app.ready import Headers, ReadyBody
+from app.service_worker import SCRIPT, service_worker
 
 _CONTENT_SECURITY_POLICY = "; ".join(
     [
@@ -28,9 +29,10 @@ _CONTENT_SECURITY_POLICY = "; ".join(
         "img-src 'self' data: blob:",
         "font-src 'self'",
         "connect-src 'self'",
+        "worker-src 'self'",
+        "manifest-src 'self'",
         "form-action 'none'",
         "base-uri 'none'",
-        "frame-ancestors 'none'",
     ]
 )
 
@@ -38,12 +40,17 @@ SECURITY_HEADERS = {"X-Content-Type-Options": "nosniff"}
 """On every answer."""
 
 DOCUMENT_SECURITY_HEADERS = {
-    "Content-Security-Policy": _CONTENT_SECURITY_POLICY,
+    "Content-Security-Policy": f"{_CONTENT_SECURITY_POLICY}; frame-ancestors 'none'",
     "Referrer-Policy": "no-referrer",
     "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
     "Cross-Origin-Opener-Policy": "same-origin",
 }
 """On documents; browsers heed them on nothing else, and the page consists of many small files."""
+
+EMBEDDED_SECURITY_HEADERS = DOCUMENT_SECURITY_HEADERS | {
+    "Content-Security-Policy": f"{_CONTENT_SECURITY_POLICY}; frame-ancestors *"
+}
+"""On the page without its shell (`?embed=1`), which may stand in any other page."""
 
 
 class SecurityHeaders:
@@ -62,12 +69,17 @@ class SecurityHeaders:
             if message["type"] == "http.response.start":
                 headers = MutableHeaders(scope=message)
                 document = headers.get("content-type", "").startswith("text/html")
-                added = SECURITY_HEADERS | (DOCUMENT_SECURITY_HEADERS if document else {})
+                added = SECURITY_HEADERS | (_of_document(scope) if document else {})
                 for name, value in added.items():
                     headers.setdefault(name, value)
             await send(message)
 
         await self.app(scope, receive, send_with_headers)
+
+
+def _of_document(scope: Scope) -> dict[str, str]:
+    embedded = b"embed=1" in scope["query_string"].split(b"&")
+    return EMBEDDED_SECURITY_HEADERS if embedded else DOCUMENT_SECURITY_HEADERS
 
 
 # What compression gains nothing on is left to the file system.
@@ -100,7 +112,11 @@ class Page(StaticFiles):
         vendored = parts[0] == "vendor" and path.name != "manifest.json"
         cache_control = "public, max-age=31536000, immutable" if vendored else "no-cache"
         if path.suffix in _TEXT and status_code == 200:
-            ready = _ready(path, stat_result.st_mtime_ns, vendored)
+            if parts == (SCRIPT,):
+                script = service_worker(Path(str(self.directory)).resolve())
+                ready = ReadyBody(script, "text/javascript; charset=utf-8")
+            else:
+                ready = _ready(path, stat_result.st_mtime_ns, vendored)
             kept: Headers = [(b"cache-control", cache_control.encode())]
             response = Response()
             response.status_code, response.raw_headers, response.body = ready.reply(

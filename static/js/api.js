@@ -4,6 +4,32 @@ import { get } from "./transport.js";
 
 export const BASE = "api/v1";
 
+/** @type {(since: Date | null) => void} */
+let tellKept = () => {};
+let kept = false;
+
+/**
+ * @param {(since: Date | null) => void} listener is told the date of an answer that was kept, given because
+ *   the server does not answer, and null when it answers again
+ */
+export function onKept(listener) {
+  tellKept = listener;
+}
+
+/** What was kept of an answer, if it was. @param {string} url @returns {Promise<any>} */
+async function keptBody(url) {
+  try {
+    const answer = await (await import("./offline.js")).keptAnswer(url);
+    if (!answer) return null;
+    const body = JSON.parse(answer.text);
+    if (!kept) tellKept(answer.since);
+    kept = true;
+    return body;
+  } catch {
+    return null; // nothing can be loaded, not even what is kept
+  }
+}
+
 /** An error answer (RFC 9457), a broken connection, or an answer that cannot be read. */
 export class Problem extends Error {
   /**
@@ -27,10 +53,14 @@ export class Problem extends Error {
 export async function load(path, signal) {
   const { status, text } = await get(`${BASE}${path}`, signal);
   if (status === 0) {
+    const old = await keptBody(`${BASE}${path}`);
+    if (old !== null) return old;
     throw new Problem("The server does not answer", {
       detail: "Is it running, and are you online?",
     });
   }
+  if (kept) tellKept(null);
+  kept = false;
   let body = null;
   try {
     body = JSON.parse(text);

@@ -18,8 +18,8 @@ export function addressOf(view, state = {}) {
   return query ? `?${query}` : "./";
 }
 
-/** @param {string} href */
-function follow(href) {
+/** Become what an address says. @param {string} href */
+export function follow(href) {
   history.pushState(null, "", href);
   window.dispatchEvent(new PopStateEvent("popstate"));
   window.scrollTo(0, 0);

@@ -1,13 +1,15 @@
 /** The wiring: state -> api -> views. */
 
-import { createQuery, load, Problem } from "./api.js";
+import { BASE, createQuery, load, onKept, Problem } from "./api.js";
 import { createConstants } from "./constants.js";
 import { canBeIncident } from "./controls/media.js";
 import { WAVELENGTH } from "./controls/wavelength.js";
 import { byId, h } from "./dom.js";
+import { listenForKeys } from "./keys.js";
 import { createShell } from "./shell.js";
 import { choice, createState, number, optional, shortened } from "./state.js";
 import { startWorker } from "./transport.js";
+import { createUndo } from "./undo.js";
 
 /**
  * @typedef {import('./types.js').Catalog} Catalog
@@ -40,6 +42,7 @@ const FOUND_BY = "/materials?fields=id,aliases,source";
 const ANSWER_DUE = 80; // ms that a picture in motion waits for its answer
 const PAGE_ANGLE = 64; // where the page starts: R, Rs and Rp are well apart
 const SAY_AFTER = 900; // ms of rest before the numbers are spoken
+const KEEP_AFTER = 3000; // ms until what is needed offline is kept: it must not slow down the start
 
 /** @param {Catalog} catalog @returns {Record<string, import('./state.js').Field>} the state that all views share */
 function sharedFields({ parameters, materials }) {
@@ -60,6 +63,7 @@ function sharedFields({ parameters, materials }) {
     material: optional(ids),
     wavelength_nm: number({ ...WAVELENGTH, default: null }),
     ...Object.fromEntries(own),
+    embed: optional(["1"]),
     polarization: choice("unpolarized", ["s", "p", "unpolarized"]),
     angle: choice("deg", ["deg", "rad"]),
   };
@@ -212,6 +216,18 @@ async function start() {
   });
   const state = createState(shared, { window, implied: constants.implied });
   store = state;
+  onKept((since) =>
+    shell.notice(
+      "kept",
+      since && {
+        title: "The server does not answer",
+        lines: [
+          `Shown is what was kept when it did, on ${since.toISOString().slice(0, 16).replace("T", " ")} UTC.`,
+          "What was not on the screen before has to wait for it.",
+        ],
+      },
+    ),
+  );
   /** @type {State} */
   const presets = { ...state.get() };
 
@@ -224,6 +240,18 @@ async function start() {
   let frame = 0;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let speech;
+
+  /** @type {typeof import('./offline.js') | null} */
+  let keeper = null;
+  const onScreen = () => Object.values(answers.asked ?? {}).map((path) => `${BASE}${path}`);
+
+  setTimeout(async () => {
+    if (state.get().embed) return; // it is a guest there
+    keeper = await import("./offline.js");
+    await keeper.keepPage();
+    const start = ["/parameters", MODELS, MATERIALS].map((path) => `${BASE}${path}`);
+    await keeper.keepAnswers([...start, ...onScreen()]);
+  }, KEEP_AFTER);
 
   /** @param {string} name */
   function runner(name) {
@@ -339,7 +367,11 @@ async function start() {
     clearTimeout(speech);
     if (state.moving()) return;
     shell.showCalls(here.module.restCalls(now, catalog));
-    speech = setTimeout(() => shell.say(here.view.sentence(now, answers)), SAY_AFTER);
+    if (now.embed) shell.showWhole(state.toQuery());
+    speech = setTimeout(() => {
+      shell.say(here.view.sentence(now, answers));
+      void keeper?.keepAnswers(onScreen());
+    }, SAY_AFTER);
   }
 
   /** @param {string} id */
@@ -409,6 +441,42 @@ async function start() {
   }
 
   await followLink();
+  const steps = createUndo(state);
+  const orders = {
+    find: async () => (await import("./finder.js")).openFinder(found),
+    help: async () => (await import("./help.js")).openHelp(),
+    undo: () => shell.say(steps.undo() ? "Undone" : "Nothing to undo"),
+    redo: () => shell.say(steps.redo() ? "Done again" : "Nothing to redo"),
+  };
+  /** @type {import('./finder.js').FinderOptions} */
+  const found = {
+    catalog,
+    views: VIEWS,
+    view: () => state.get().view,
+    set: state.set,
+    describeMedia,
+    formulas: () => load("/formulas"),
+    actions: [
+      { name: "Undo", note: "Ctrl Z", run: orders.undo },
+      { name: "Redo", note: "Ctrl Shift Z", run: orders.redo },
+      { name: "Keys", note: "?", run: orders.help },
+      { name: "Copy the HTML that embeds this view", note: "iframe", run: copyEmbed },
+    ],
+  };
+  async function copyEmbed() {
+    const [{ copyText }, { embedCode }] = await Promise.all([
+      import("./clipboard.js"),
+      import("./embed.js"),
+    ]);
+    const done = await copyText(embedCode(location.href, document.title));
+    shell.notice("embed", {
+      title: done ? "Copied: the HTML that embeds this view" : "Copying is not allowed here",
+      lines: [embedCode(location.href, document.title)],
+    });
+  }
+  listenForKeys(orders);
+  byId("find").addEventListener("click", orders.find);
+  byId("help").addEventListener("click", orders.help);
   state.subscribe(async (now, moving) => {
     if (now.view !== active) await open(now.view);
     if (!moving) shell.notice("link", null);

@@ -126,6 +126,13 @@ export function createShell({ views, onView, onTheme }) {
       notices.append(element);
     },
 
+    /** Where an embedded view stands in the whole page. @param {string} query */
+    showWhole(query) {
+      const search = new URLSearchParams(query);
+      search.delete("embed");
+      byId("whole").setAttribute("href", search.size ? `?${search}` : "./");
+    },
+
     /** @param {string[]} paths of the REST calls that give what is on the screen */
     showCalls(paths) {
       while (calls.children.length > paths.length) calls.lastElementChild?.remove();

@@ -1,4 +1,4 @@
-// A classic script, run before the first paint: a module would show the wrong theme for a moment.
+// A classic script, run before the first paint: a module would show the wrong page for a moment.
 // @ts-check
 (() => {
   const key = "fresnel-theme";
@@ -21,6 +21,11 @@
   }
 
   apply();
+  // Embedded in another page the view stands alone; this, too, must hold before the first paint.
+  root.toggleAttribute(
+    "data-embed",
+    new URLSearchParams(location.search).getAll("embed")[0] === "1",
+  );
   dark.addEventListener("change", () => {
     apply();
     root.dispatchEvent(new Event("themechange"));

@@ -203,6 +203,19 @@ class TestSecurity:
         assert answer.headers["cross-origin-opener-policy"] == "same-origin"
         assert "camera=()" in answer.headers["permissions-policy"]
 
+    def test_only_the_page_without_its_shell_stands_in_other_pages(self, app: FastAPI) -> None:
+        def ancestors(target: bytes) -> str:
+            policy = ask(app, target).headers["content-security-policy"]
+            return dict(part.split(" ", 1) for part in policy.split("; "))["frame-ancestors"]
+
+        assert ancestors(b"/?embed=1") == ancestors(b"/?view=albedo&embed=1&n_i=1") == "*"
+        for target in (b"/", b"/?embed=0", b"/?embed=", b"/?embed=10", b"/?x=embed=1", b"/docs/"):
+            assert ancestors(target) == "'none'"
+        strict, embedded = (
+            ask(app, t).headers["content-security-policy"].split("; ") for t in (b"/", b"/?embed=1")
+        )
+        assert set(strict) ^ set(embedded) == {"frame-ancestors 'none'", "frame-ancestors *"}
+
     @pytest.mark.parametrize("target", [*CACHED, API + b"/health", API + b"/nope", b"/", b"/docs/"])
     def test_no_cookies(self, app: FastAPI, target: bytes) -> None:
         assert "set-cookie" not in ask(app, target).headers

@@ -21,6 +21,8 @@ BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chro
 STARTUP_SECONDS = 60.0
 # Without a graphics card Chromium reads a canvas back to show it, and says that this is slow.
 GRAPHICS_REMARK = "GPU stall due to ReadPixels"
+# The files of the page are kept in one test, which is about that, and not fetched again in the others.
+KEEPING_REMARK = "Service Worker registration blocked by Playwright"
 
 
 def find_browser() -> str | None:
@@ -93,6 +95,12 @@ def base_url(server_url: str) -> str:
     return server_url
 
 
+@pytest.fixture(scope="session")
+def browser_context_args(browser_context_args: dict[str, Any]) -> dict[str, Any]:
+    """Let no service worker keep files, unless a test asks for one."""
+    return {**browser_context_args, "service_workers": "block"}
+
+
 @pytest.fixture
 def quiet_page(page: Page, server_url: str) -> Iterator[Page]:
     """Give a page that must log nothing, raise nothing and ask no other host for anything."""
@@ -100,7 +108,7 @@ def quiet_page(page: Page, server_url: str) -> Iterator[Page]:
     own_host = urlsplit(server_url).netloc
 
     def note_console(message: ConsoleMessage) -> None:
-        if GRAPHICS_REMARK in message.text:
+        if GRAPHICS_REMARK in message.text or KEEPING_REMARK in message.text:
             return
         noise.append(f"console {message.type}: {message.text}")
 

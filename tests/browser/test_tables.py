@@ -31,7 +31,7 @@ def test_says_what_a_table_costs_and_hands_it_out(quiet_page: Page) -> None:
     panel.get_by_label("float").check()
     at_16 = errors["max_abs"]["float"][errors["sizes"].index(16)]
     expect(panel.locator(".table-verdict")).to_contain_text(f"{at_16:.3g}")
-    assert link(page)["texels"] == "16"
+    assert link(page)["table_size"] == "16"
     assert link(page)["bits"] == "32"
     with page.expect_download() as download:
         panel.get_by_role("link", name="NPY").click()
@@ -52,7 +52,7 @@ def test_the_size_is_picked_in_the_plot_by_pointer_and_keys(quiet_page: Page) ->
     expect(page.locator(".tables .table-verdict")).not_to_contain_text("256 texels")
     size = page.get_by_label("Texels of the table").input_value()
     assert int(size) in {8, 16, 32, 64}
-    assert link(page)["texels"] == size
+    assert link(page)["table_size"] == size
     host.get_by_role("slider").focus()
     page.keyboard.press("ArrowRight")
     expect(page.get_by_label("Texels of the table")).to_have_value(str(2 * int(size)))

@@ -221,7 +221,7 @@ def test_a_formula_is_found_by_a_word(quiet_page: Page) -> None:
     page = opened(quiet_page, "formulas")
     page.locator(".find-box").fill("brewster")
     expect(page.locator(".formula-groups li:visible")).to_have_count(2)
-    expect(page).to_have_url(re.compile("find=brewster"))
+    expect(page).to_have_url(re.compile("word=brewster"))
     page.locator(".formula-groups a:visible", has_text="Brewster's").click()
     expect(page.locator(".formula-detail .lesson-title")).to_have_text("Brewster's angle")
     page.locator(".find-box").fill("nonsense")

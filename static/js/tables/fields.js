@@ -16,7 +16,7 @@ export const DEPTHS = [
 /** @returns {Record<string, import('../state.js').Field>} */
 export function tableFields() {
   return {
-    texels: choice("256", SIZES.map(String)),
+    table_size: choice("256", SIZES.map(String)),
     bits: choice(
       "16",
       DEPTHS.map((d) => d.bits),

@@ -52,7 +52,7 @@ export function createTables({ parent, models, actions, address, rgb }) {
     {
       class: "preset",
       "aria-label": "Texels of the table",
-      onchange: () => actions.set({ texels: size.value }),
+      onchange: () => actions.set({ table_size: size.value }),
     },
     ...SIZES.map((n) => h("option", { value: String(n) }, `${n} texels`)),
   );
@@ -102,7 +102,7 @@ export function createTables({ parent, models, actions, address, rgb }) {
     y: { title: "largest error", range: [-8, 0], ticks: Y_TICKS },
     filename: "fresnel-table-error",
     onPick(x, { settled }) {
-      if (settled) actions.set({ texels: pickedSize(x, Number(size.value)) });
+      if (settled) actions.set({ table_size: pickedSize(x, Number(size.value)) });
     },
   });
 
@@ -129,7 +129,7 @@ export function createTables({ parent, models, actions, address, rgb }) {
         );
       }
       model.value = codeOf(now, offered);
-      size.value = now.texels;
+      size.value = now.table_size;
       bits.update([now.bits]);
       setText(wrong, problem ? problem.lines.join(" · ") || problem.title : "");
       for (const part of [host, verdict, files]) part.hidden = problem !== undefined;
@@ -149,9 +149,9 @@ export function createTables({ parent, models, actions, address, rgb }) {
           })),
         );
       }
-      const at = answer.sizes.indexOf(Number(now.texels));
+      const at = answer.sizes.indexOf(Number(now.table_size));
       plot.marker(
-        Number(now.texels),
+        Number(now.table_size),
         DEPTHS.map(({ depth }) => {
           const error = answer.max_abs[depth][at];
           return { id: depth, y: error ? Math.log10(error) : null };
@@ -164,15 +164,15 @@ export function createTables({ parent, models, actions, address, rgb }) {
         verdict,
         error === null
           ? "Integers hold 0 to 1, and this curve goes beyond: take floats."
-          : `${now.texels} texels, ${depth.label}: at no angle off by more than ${scientific(error)}.`,
+          : `${now.table_size} texels, ${depth.label}: at no angle off by more than ${scientific(error)}.`,
       );
-      const parts = [`size=${now.texels}`, `bits=${now.bits}`];
+      const parts = [`size=${now.table_size}`, `bits=${now.bits}`];
       const color = rgb(now);
       files.replaceChildren(
         ...(error === null
           ? []
           : depth.formats.map((f) => file(f, address(now, [...parts, `format=${f}`])))),
-        ...(color ? [file("exr", `${color}&size=${now.texels}&format=exr`, "RGB as EXR")] : []),
+        ...(color ? [file("exr", `${color}&size=${now.table_size}&format=exr`, "RGB as EXR")] : []),
       );
     },
     theme: () => plot.theme(),

@@ -66,7 +66,7 @@ export function theoryFields(catalog) {
       TRAPS.map((s) => s.id),
     ),
     formula: text((given) => /^[a-z]+\.[a-z0-9_]+$/.test(given), "it is no id of a formula"),
-    find: text((given) => given.length <= 80, "it is too long"),
+    word: text((given) => given.length <= 80, "it is too long"),
     claim: text((given) => /^[a-z0-9-]+$/.test(given), "it is no id of a claim"),
     verdict: text((given) => given.length <= 40, "it is no verdict"),
     by: text((given) => given.length <= 80, "it is no source"),

@@ -111,7 +111,7 @@ export function createFormulas({ catalog, actions, say }) {
     spellcheck: "false",
   });
   box.addEventListener("input", () =>
-    actions.set({ find: box.value.trim() || null }, { history: "replace" }),
+    actions.set({ word: box.value.trim() || null }, { history: "replace" }),
   );
   box.addEventListener("change", actions.settle);
   const groups = h("div", { class: "formula-groups" });
@@ -408,8 +408,8 @@ export function createFormulas({ catalog, actions, say }) {
     /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
     update(now, answers, moving) {
       if (answers.formulas && formulas.length === 0) fill(answers.formulas.formulas);
-      if (document.activeElement !== box) box.value = now.find ?? "";
-      filter(now.find);
+      if (document.activeElement !== box) box.value = now.word ?? "";
+      filter(now.word);
       const id = now.formula ?? FIRST;
       const formula = formulas.find((f) => f.id === id);
       if (formula && shown !== id) {

@@ -1,0 +1,51 @@
+"""The page's service worker: its script with the files to keep and a version made of them."""
+
+from __future__ import annotations
+
+import json
+from functools import lru_cache
+from hashlib import sha256
+from pathlib import Path
+
+from app import __version__
+
+SCRIPT = "sw.js"
+
+# Of the page itself; the API's documentation and what only tools read can wait for the server.
+_KEPT = {".css", ".html", ".js", ".svg", ".webmanifest", ".woff2"}
+_NOT_KEPT = ("docs/", "vendor/swagger", SCRIPT)
+
+
+def service_worker(static_dir: Path) -> bytes:
+    """Return the script of the service worker, which changes when any file of the page does.
+
+    Parameters
+    ----------
+    static_dir
+        The folder of the page's files.
+    """
+    files = sorted(
+        path
+        for path in static_dir.rglob("*")
+        if path.suffix in _KEPT
+        and not path.relative_to(static_dir).as_posix().startswith(_NOT_KEPT)
+    )
+    return _script(static_dir, tuple((path, path.stat().st_mtime_ns) for path in files))
+
+
+@lru_cache(maxsize=1)
+def _script(static_dir: Path, files: tuple[tuple[Path, int], ...]) -> bytes:
+    digest = sha256(__version__.encode())
+    addresses = []
+    for path, _ in files:
+        address = path.relative_to(static_dir).as_posix()
+        digest.update(address.encode())
+        digest.update(sha256(path.read_bytes()).digest())
+        addresses.append("./" if address == "index.html" else address)
+    source = (static_dir / SCRIPT).read_bytes()
+    digest.update(source)
+    head = (
+        f"const VERSION = {json.dumps(digest.hexdigest()[:16])};\n"
+        f"const FILES = {json.dumps(addresses)};\n"
+    )
+    return head.encode() + source

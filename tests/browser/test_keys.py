@@ -1,0 +1,107 @@
+"""The keys that work everywhere: undo and redo, the finder, the list of keys."""
+
+import re
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.explore_page import box, link, opened, settled_link, type_into
+
+AXE = Path(__file__).parents[2] / "node_modules" / "axe-core" / "axe.min.js"
+LOADED_MS = 20_000
+
+
+def test_undo_and_redo_follow_the_state_not_the_history(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    type_into(page, "n_t", "1.7")
+    settled_link(page, "n_t", "1.7")
+    type_into(page, "theta_i_deg", "30")
+    settled_link(page, "theta_i_deg", "30")
+    page.keyboard.press("Control+z")
+    expect(page).not_to_have_url(re.compile("theta_i_deg"))
+    assert link(page)["n_t"] == "1.7"
+    page.keyboard.press("Control+z")
+    expect(page).not_to_have_url(re.compile("n_t"))
+    page.keyboard.press("Control+Shift+z")
+    page.keyboard.press("Control+Shift+z")
+    settled_link(page, "theta_i_deg", "30")
+    page.go_back()  # the undone state was a page of the history
+    expect(page).not_to_have_url(re.compile("theta_i_deg"))
+
+
+def test_a_box_that_is_written_in_keeps_its_own_undo(quiet_page: Page) -> None:
+    page = opened(quiet_page, "?n_t=1.7")
+    type_into(page, "theta_i_deg", "30")
+    settled_link(page, "theta_i_deg", "30")
+    field = box(page, "n_t")
+    field.click()
+    page.keyboard.type("2.2")
+    page.keyboard.press("Control+z")
+    assert link(page) == {"n_t": "1.7", "theta_i_deg": "30"}
+    assert field.input_value() != "2.2"
+
+
+def test_the_finder_opens_models_media_formulas_and_views(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    results = page.get_by_role("dialog").get_by_role("option")
+
+    def find(words: str, first: str, view: str) -> None:
+        page.keyboard.press("Control+k")
+        box = page.get_by_role("combobox", name="Find a view")
+        expect(box).to_be_focused()
+        box.fill(words)
+        expect(results.first).to_contain_text(first)
+        page.keyboard.press("Enter")
+        expect(page.get_by_role("dialog")).to_have_count(0)
+        expect(page.locator(f".view-{view}")).to_be_visible(timeout=LOADED_MS)
+        page.wait_for_load_state("networkidle")
+
+    find("aurum", "Gold", "explore")
+    settled_link(page, "material", r"\w.*")
+    find("lazanyi", "Lazanyi", "compare")
+    settled_link(page, "against", "lazanyi2005")
+    find("brewster", "Brewster", "theory")
+    settled_link(page, "formula", r"angle\.brewster")
+    find("albedo", "Albedo", "albedo")
+    settled_link(page, "view", "albedo")
+    find("gold", "Gold", "materials")  # no medium to set here: among the materials
+    settled_link(page, "view", "materials")
+    find("undo", "Undo", "albedo")
+    settled_link(page, "view", "albedo")
+
+
+def test_the_finder_says_when_nothing_is_called_so(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    page.get_by_role("button", name="Find").click()
+    page.get_by_role("combobox", name="Find a view").fill("qqqqqqqqq")
+    expect(page.get_by_text("Nothing is called so.")).to_be_visible()
+    page.keyboard.press("Enter")
+    page.keyboard.press("Escape")
+    expect(page.get_by_role("dialog")).to_have_count(0)
+    expect(page.get_by_role("button", name="Find")).to_be_focused()
+
+
+def test_a_question_mark_shows_the_keys_except_where_it_is_written(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    page.keyboard.press("?")
+    dialog = page.get_by_role("dialog", name="Keys")
+    expect(dialog).to_contain_text("undo the last change")
+    page.keyboard.press("Escape")
+    expect(dialog).to_have_count(0)
+    box(page, "n_t").click()
+    page.keyboard.press("?")
+    expect(box(page, "n_t")).to_have_value("?")
+    expect(dialog).to_have_count(0)
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("key", ["Control+k", "?"])
+def test_axe_finds_nothing_in_the_dialogs(quiet_page: Page, key: str, theme: str) -> None:
+    quiet_page.emulate_media(color_scheme="dark" if theme == "dark" else "light")
+    page = opened(quiet_page)
+    page.keyboard.press(key)
+    expect(page.get_by_role("dialog")).to_be_visible()
+    page.evaluate(AXE.read_text(encoding="utf-8"))
+    found = page.evaluate("() => axe.run()")
+    assert [(v["id"], v["nodes"][0]["html"]) for v in found["violations"]] == []

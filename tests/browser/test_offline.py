@@ -1,0 +1,70 @@
+"""The page without its server: what was seen is shown, and said to be kept."""
+
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from tests.browser.conftest import ROOT, wait_until_healthy
+
+KEPT = """async () => (await caches.keys()).some((name) => name.startsWith("fresnel-page"))
+  && (await (await caches.open("fresnel-answers")).keys()).length >= 5"""
+
+
+@pytest.fixture
+def own_server(tmp_path: Path) -> tuple[str, subprocess.Popen[bytes]]:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    url, log = f"http://127.0.0.1:{port}", tmp_path / "server.log"
+    server = subprocess.Popen(
+        [sys.executable, "-m", "uvicorn", "app.main:create_app", "--factory", "--port", str(port)],
+        cwd=ROOT,
+        stdout=log.open("wb"),
+        stderr=subprocess.STDOUT,
+    )
+    wait_until_healthy(server, url, log)
+    return url, server
+
+
+def test_what_was_seen_is_shown_without_the_server_and_said_to_be_kept(
+    browser: Browser, own_server: tuple[str, subprocess.Popen[bytes]]
+) -> None:
+    url, server = own_server
+    context = browser.new_context(base_url=url, service_workers="allow")
+    try:
+        page = context.new_page()
+        page.goto("/?n_t=1.7")
+        curve = page.locator(".plot-host path.js-line").first
+        curve.wait_for(state="attached", timeout=15_000)
+        shown = page.locator('.number[aria-label^="R:"]').get_attribute("aria-label")
+        page.wait_for_function(KEPT, timeout=60_000)
+        assert not page.locator('[data-notice="kept"]').count()
+
+        server.send_signal(signal.SIGTERM)
+        server.wait(timeout=30)
+        page.reload()
+        curve.wait_for(state="attached", timeout=15_000)
+        expect(page.locator('[data-notice="kept"]')).to_contain_text(
+            re.compile(r"kept when it did, on \d{4}-\d\d-\d\d \d\d:\d\d UTC")
+        )
+        number = page.locator('.number[aria-label^="R:"]')
+        expect(number).to_have_attribute("aria-label", shown or "")
+
+        box = page.locator("#n_t-box")  # never computed: nothing is made up
+        box.fill("1.9")
+        box.press("Enter")
+        expect(page.locator('[data-notice="server"]')).to_contain_text("does not answer")
+        page.get_by_role("link", name="Theory").click()  # every view's files are here
+        expect(page.locator(".view-theory")).to_be_visible(timeout=15_000)
+    finally:
+        context.close()
+        if server.poll() is None:
+            os.kill(server.pid, signal.SIGTERM)
+            server.wait(timeout=30)
