@@ -1,11 +1,10 @@
 """The page without its server: what was seen is shown, and said to be kept."""
 
-import os
 import re
-import signal
 import socket
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -18,19 +17,26 @@ KEPT = """async () => (await caches.keys()).some((name) => name.startsWith("fres
 
 
 @pytest.fixture
-def own_server(tmp_path: Path) -> tuple[str, subprocess.Popen[bytes]]:
+def own_server(tmp_path: Path) -> Iterator[tuple[str, subprocess.Popen[bytes]]]:
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
     url, log = f"http://127.0.0.1:{port}", tmp_path / "server.log"
-    server = subprocess.Popen(
-        [sys.executable, "-m", "uvicorn", "app.main:create_app", "--factory", "--port", str(port)],
-        cwd=ROOT,
-        stdout=log.open("wb"),
-        stderr=subprocess.STDOUT,
-    )
-    wait_until_healthy(server, url, log)
-    return url, server
+    arguments = ["app.main:create_app", "--factory", "--port", str(port)]
+    with (
+        log.open("wb") as output,
+        subprocess.Popen(
+            [sys.executable, "-m", "uvicorn", *arguments],
+            cwd=ROOT,
+            stdout=output,
+            stderr=subprocess.STDOUT,
+        ) as server,
+    ):
+        try:
+            wait_until_healthy(server, url, log)
+            yield url, server
+        finally:
+            server.terminate()
 
 
 def test_what_was_seen_is_shown_without_the_server_and_said_to_be_kept(
@@ -47,7 +53,7 @@ def test_what_was_seen_is_shown_without_the_server_and_said_to_be_kept(
         page.wait_for_function(KEPT, timeout=60_000)
         assert not page.locator('[data-notice="kept"]').count()
 
-        server.send_signal(signal.SIGTERM)
+        server.terminate()
         server.wait(timeout=30)
         page.reload()
         curve.wait_for(state="attached", timeout=15_000)
@@ -65,6 +71,3 @@ def test_what_was_seen_is_shown_without_the_server_and_said_to_be_kept(
         expect(page.locator(".view-theory")).to_be_visible(timeout=15_000)
     finally:
         context.close()
-        if server.poll() is None:
-            os.kill(server.pid, signal.SIGTERM)
-            server.wait(timeout=30)
