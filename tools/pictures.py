@@ -26,11 +26,14 @@ BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chro
 SIZE = (1440, 900)
 # What is there when a view is drawn.
 CURVES = ".js-plotly-plot .scatterlayer path"
+MAP = ".heatmaplayer image"
 SCENE = ".differences:not([data-stale]) dd:not(:empty)"
 # File name, colours, address of the page, what to wait for.
 PICTURES: tuple[tuple[str, Literal["light", "dark"], str, str], ...] = (
     ("explore-light.png", "light", "/?n_t=1.5&theta_i_deg=64&models=schlick", CURVES),
     ("explore-dark.png", "dark", "/?n_t=1.5&theta_i_deg=64&models=schlick", CURVES),
+    ("compare.png", "light", "/?view=compare&models=schlick,one_minus_cos", CURVES),
+    ("albedo.png", "light", "/?view=albedo", MAP),
     ("theory-light.png", "light", "/?view=theory&step=below&own_deg=40", CURVES),
     ("theory-dark.png", "dark", "/?view=theory&step=below&own_deg=40", CURVES),
     ("preview.png", "light", "/?view=preview&split=0.46", SCENE),

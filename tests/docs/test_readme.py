@@ -13,8 +13,10 @@ from urllib.parse import urlsplit
 import httpx
 import plotly.graph_objects
 import pytest
+import yaml
 from typer.testing import CliRunner
 
+from app import __version__
 from app.cli import cli
 from app.main import create_app
 from app.optics.registry import default_registry
@@ -128,6 +130,12 @@ def test_link_leads_somewhere(path: str) -> None:
     tracked = ["git", "ls-files", "--error-unmatch", path]
     if (ROOT / ".git").exists():
         subprocess.run(tracked, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+
+
+def test_the_citation_is_of_this_version() -> None:
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
+    assert citation["version"] == __version__
+    assert {"cff-version", "message", "title", "authors"} <= citation.keys()
 
 
 def test_pictures_are_pictures() -> None:
