@@ -4,6 +4,7 @@
 # time, and FastAPI could not look up its name.
 
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import Annotated, Any, NamedTuple
 
 import numpy as np
@@ -60,11 +61,16 @@ class Curve(NamedTuple):
     reason: str | None
 
 
-def sampled_angles(interface: Interface, samples: int, landmarks: bool) -> Array:
+@lru_cache(maxsize=8)  # a reader's page asks for the same angles again and again
+def _equally_spaced(samples: int) -> Incidence:
+    return Incidence.from_degrees(np.linspace(0.0, 90.0, samples))
+
+
+def sampled_incidence(interface: Interface, samples: int, landmarks: bool) -> Incidence:
     """Equally spaced angles from 0 to 90 degrees, with the landmarks sorted in if asked for."""
-    angles = np.linspace(0.0, 90.0, samples)
+    equally_spaced = _equally_spaced(samples)
     if not landmarks:
-        return angles
+        return equally_spaced
     marks = np.array(
         [
             float(brewster_deg(interface)),
@@ -72,7 +78,8 @@ def sampled_angles(interface: Interface, samples: int, landmarks: bool) -> Array
             float(pseudo_brewster_deg(interface)),
         ]
     )
-    return np.unique(np.concatenate([angles, marks[np.isfinite(marks)]]))
+    marks = marks[np.isfinite(marks)]
+    return Incidence.from_degrees(np.unique(np.concatenate([equally_spaced.theta_i_deg, marks])))
 
 
 def exact_curves(
@@ -102,8 +109,7 @@ def router(registry: Registry) -> APIRouter:
     Query_ = with_model_parameters(CurvesQuery, registry)
 
     def compute(query: CurvesQuery, models: list[Model], interface: Interface) -> Any:
-        theta_i_deg = sampled_angles(interface, query.samples, query.landmarks)
-        incidence = Incidence.from_degrees(theta_i_deg)
+        incidence = sampled_incidence(interface, query.samples, query.landmarks)
         curves: list[Curve] = []
         for model in models:
             reason = model.reason_outside(interface)
@@ -117,7 +123,7 @@ def router(registry: Registry) -> APIRouter:
                     Curve(model.id, name, np.ascontiguousarray(row), reason)
                     for name, row in zip(names, np.atleast_2d(values), strict=True)
                 ]
-        return theta_i_deg, curves
+        return incidence.theta_i_deg, curves
 
     @routes.get(
         "/curves",

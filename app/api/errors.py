@@ -11,7 +11,7 @@ from fastapi import APIRouter, Query
 from pydantic import Field
 
 from app.api.answers import Answer, Large
-from app.api.curves import sampled_angles
+from app.api.curves import sampled_incidence
 from app.api.error_schemas import MEASURE, ErrorsOut, figures_json
 from app.api.model_parameters import (
     ModelsParameter,
@@ -90,8 +90,7 @@ def router(registry: Registry) -> APIRouter:
     Query_ = with_model_parameters(ErrorsQuery, registry)
 
     def respond(query: ErrorsQuery, models: list[Model], interface: Interface) -> ReadyBody:
-        theta_i_deg = sampled_angles(interface, query.samples, query.landmarks)
-        incidence = Incidence.from_degrees(theta_i_deg)
+        incidence = sampled_incidence(interface, query.samples, query.landmarks)
         rows = [
             row
             for model in models
@@ -111,7 +110,7 @@ def router(registry: Registry) -> APIRouter:
                 for name in ("error", "relative_error")
                 if name in row
             }
-            columns = {"theta_i_deg": theta_i_deg} | columns
+            columns = {"theta_i_deg": incidence.theta_i_deg} | columns
             return csv_body(columns, query.digits, "fresnel_errors.csv")
         if query.format == "csv":
             return rows_csv_body(COLUMNS, rows, query.digits, "fresnel_errors.csv")
@@ -120,7 +119,7 @@ def router(registry: Registry) -> APIRouter:
             "convention": CONVENTION,
             "reference": "exact",
             "measure": MEASURE,
-            "theta_i_deg": theta_i_deg,
+            "theta_i_deg": incidence.theta_i_deg,
             "errors": rows,
         }
         return json_body(payload, query.digits)

@@ -109,7 +109,7 @@ class Interface:
         eta, kappa, _ = self.relative
         return (kappa >= 0.5) & (8.0 * kappa >= eta)
 
-    @property
+    @cached_property
     def is_conductor(self) -> bool:
         """Whether the second medium absorbs anywhere."""
         return bool(np.any(self.k_t > 0.0))

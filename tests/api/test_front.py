@@ -19,8 +19,8 @@ from app.api.responses import interface_json
 from app.api.route import QueryRoute
 from app.cache import AnswerCache
 from app.main import create_app
+from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.optics.parameters import Array
 from app.pool import Overloaded, Pool
 from app.ready import ReadyBody
 from app.settings import Settings
@@ -230,14 +230,14 @@ def test_equal_large_questions_at_a_time_are_computed_once(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     calls: list[int] = []
-    original = curves.sampled_angles
+    original = curves.sampled_incidence
 
-    def slow(interface: Interface, samples: int, landmarks: bool) -> Array:
+    def slow(interface: Interface, samples: int, landmarks: bool) -> Incidence:
         calls.append(1)
         time.sleep(0.1)
         return original(interface, samples, landmarks)
 
-    monkeypatch.setattr(curves, "sampled_angles", slow)
+    monkeypatch.setattr(curves, "sampled_incidence", slow)
     app = create_app()
     target = API + b"/curves?samples=20001&models=exact,schlick"
     answers: list[Answer] = asyncio.run(together(app, target, 5))
