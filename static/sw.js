@@ -28,10 +28,10 @@ self.addEventListener("install", (event) => {
 self.addEventListener("activate", (event) => {
   event.waitUntil(
     (async () => {
-      const old = (await caches.keys()).filter(
-        (name) => name.startsWith("fresnel-") && name !== KEPT,
-      );
-      await Promise.all(old.map((name) => caches.delete(name)));
+      const all = (await caches.keys()).filter((name) => name.startsWith("fresnel-"));
+      // Answers kept by another version of the page go with it; those of a first visit stay.
+      if (all.some((name) => name.startsWith("fresnel-page-") && name !== KEPT))
+        await Promise.all(all.filter((name) => name !== KEPT).map((name) => caches.delete(name)));
       await self.clients.claim();
     })(),
   );

@@ -247,8 +247,9 @@ async function start() {
 
   setTimeout(async () => {
     if (state.get().embed) return; // it is a guest there
-    keeper = await import("./offline.js");
-    await keeper.keepPage();
+    const offline = await import("./offline.js");
+    await offline.keepPage();
+    keeper = offline;
     const start = ["/parameters", MODELS, MATERIALS].map((path) => `${BASE}${path}`);
     await keeper.keepAnswers([...start, ...onScreen()]);
   }, KEEP_AFTER);
