@@ -6,7 +6,8 @@ export const BASE = "api/v1";
 
 /** @type {(since: Date | null) => void} */
 let tellKept = () => {};
-let kept = false;
+/** @type {Date | null} */
+let kept = null;
 
 /**
  * @param {(since: Date | null) => void} listener is told the date of an answer that was kept, given because
@@ -14,6 +15,7 @@ let kept = false;
  */
 export function onKept(listener) {
   tellKept = listener;
+  if (kept) listener(kept);
 }
 
 /** What was kept of an answer, if it was. @param {string} url @returns {Promise<any>} */
@@ -23,7 +25,7 @@ async function keptBody(url) {
     if (!answer) return null;
     const body = JSON.parse(answer.text);
     if (!kept) tellKept(answer.since);
-    kept = true;
+    kept ??= answer.since;
     return body;
   } catch {
     return null; // nothing can be loaded, not even what is kept
@@ -60,7 +62,7 @@ export async function load(path, signal) {
     });
   }
   if (kept) tellKept(null);
-  kept = false;
+  kept = null;
   let body = null;
   try {
     body = JSON.parse(text);
