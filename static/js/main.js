@@ -418,6 +418,9 @@ async function start() {
     for (const [key, { host }] of opened) host.hidden = key !== id;
   }
 
+  /** What the last link came to: its notice stays until something is changed. */
+  let linked = "";
+
   async function followLink() {
     const asked = new URLSearchParams(location.search).get("view");
     await open(VIEWS.some((v) => v.id === asked) ? /** @type {string} */ (asked) : "explore");
@@ -430,6 +433,7 @@ async function start() {
       }
     }
     const problems = state.fromQuery(location.search);
+    linked = state.toQuery();
     shell.notice(
       "link",
       problems.length === 0
@@ -480,7 +484,7 @@ async function start() {
   byId("help").addEventListener("click", orders.help);
   state.subscribe(async (now, moving) => {
     if (now.view !== active) await open(now.view);
-    if (!moving) shell.notice("link", null);
+    if (!moving && state.toQuery() !== linked) shell.notice("link", null);
     constants.follow(now);
     ask();
     follow();
