@@ -102,7 +102,9 @@ def write(model: Model, language: Language, channels: int = 1) -> str:
         If the model has no closed form of real numbers.
     """
     formula, arguments = formula_of(model), arguments_of(model)
-    lines = language.commented([*_told(model), *(f"{a.name}: {a.description}" for a in arguments)])
+    lines = language.commented(
+        [*_told(model), *_untested(language), *(f"{a.name}: {a.description}" for a in arguments)]
+    )
     if language.id == "python":
         lines += ["", "import numpy as np"]
     functions = [language.function(part) for part in formula.everything()]
@@ -124,6 +126,12 @@ def _told(model: Model) -> Iterator[str]:
     else:
         errors = "; ".join(_error(measured) for measured in model.measured)
         yield f"Error, measured, largest of |R - exact|: {errors}"
+
+
+def _untested(language: Language) -> Iterator[str]:
+    # Pasted code has left behind what the page and the API say of it.
+    if language.checked == "untested":
+        yield f"Untested: {language.checked_by}"
 
 
 def _error(measured: Measured) -> str:

@@ -46,6 +46,7 @@ def test_gives_each_in_each_language(ask: Ask, model: str, language: str) -> Non
     text = ask(f"/shaders/{model}", language=language, channels=3, format="text")
     assert text.headers["content-type"] == "text/plain; charset=utf-8"
     assert text.text == told.code
+    assert ("Untested: " in text.text) == (told.checked == "untested")
 
 
 def test_is_glsl_of_real_numbers_unless_asked(ask: Ask) -> None:

@@ -1,5 +1,6 @@
 """The Preview view: pixels against the optics, modes, A and B, keys, export, links, fallback."""
 
+import json
 import re
 
 import numpy as np
@@ -315,9 +316,60 @@ def test_axe_finds_nothing(quiet_page: Page, theme: str, query: str) -> None:
     assert axe_violations(page) == []
 
 
+def test_the_differences_are_copied_in_full_precision(quiet_page: Page) -> None:
+    page = opened(quiet_page, "&right=one_minus_cos")
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page.get_by_role("button", name="Copy the differences").click()
+    expect(page.locator(".differences [data-flash=copied]")).to_be_visible()
+    copied = json.loads(page.evaluate("() => navigator.clipboard.readText()"))
+    assert (copied["left"], copied["right"]) == ("exact", "one_minus_cos")
+    counted = page.locator(".differences .reason").inner_text().replace(",", "")
+    assert str(copied["pixels"]) in counted
+    names: tuple[Figure, ...] = ("steps.mean", "steps.largest", "colors.mean", "colors.largest")
+    for name in names:
+        of, which = name.split(".")
+        assert copied[of][which] == pytest.approx(figure(page, name), rel=5e-3)
+
+
+def test_code_and_tables_of_both_sides_are_below_the_picture(quiet_page: Page) -> None:
+    page = opened(quiet_page, "&n_t=2&left=cos_form&right=schlick&left_by=texture&texels=8")
+    expect(page.locator(".takeaway .column")).to_have_count(0)
+    before = shot(page).pixels
+    page.locator(".takeaway").scroll_into_view_if_needed()
+    code = page.locator(".snippets code")
+    expect(code).to_have_text(page.request.get("/api/v1/shaders/schlick").json()["code"])
+    offered = page.get_by_label("Model whose code is shown")
+    values = offered.locator("option").evaluate_all("all => all.map(o => o.value)")
+    assert values == ["schlick", "cos_form", "exact"]
+    offered.select_option("cos_form")
+    page.locator(".snippets").get_by_label("Python").check()
+    python = page.request.get("/api/v1/shaders/cos_form?language=python").json()
+    expect(code).to_have_text(python["code"])
+
+    page.get_by_label("Texels of the table").select_option("32")
+    errors = page.request.get("/api/v1/lut/errors?model=cos_form&n_t=2").json()
+    largest = errors["max_abs"]["unorm16"][errors["sizes"].index(32)]
+    verdict = page.locator(".table-verdict")
+    expect(verdict).to_contain_text("32 texels")
+    assert float(verdict.inner_text().split()[-1].rstrip(".")) == pytest.approx(largest, rel=5e-3)
+    asked = link(page)
+    assert (asked["size"], asked["texels"], asked["code"]) == ("32", "8", "cos_form")
+    rested(page)
+    assert np.array_equal(shot(page).pixels, before)
+    page.get_by_label("Model on the left").select_option("lut_1d")
+    page.get_by_label("Model whose code is shown").select_option("lut_1d")
+    expect(page.locator(".snippets .row-error")).to_contain_text("read from a table")
+    expect(page.locator(".notice")).to_have_count(0)
+    assert axe_violations(page) == []
+    page.reload()
+    expect(page.get_by_label("Model on the left")).to_have_value("lut_1d")
+
+
 def test_it_fits_a_phone(quiet_page: Page) -> None:
     quiet_page.set_viewport_size({"width": 390, "height": 844})
     page = opened(quiet_page)
+    page.locator(".takeaway").scroll_into_view_if_needed()
+    expect(page.locator(".tables")).to_be_visible()
     assert page.evaluate("() => document.documentElement.scrollWidth") <= 390
     frame = page.locator(".scene-frame").bounding_box()
     assert frame

@@ -5,11 +5,12 @@ import { convertPath, filled, printValue, texts } from "../../static/js/compare/
 import { measured } from "../../static/js/compare/examples.js";
 import { compareFields, focused, ranges } from "../../static/js/compare/fields.js";
 import { COLUMNS, printCost, short, sorted } from "../../static/js/compare/metrics.js";
-import { later, lutPath, queries, restCalls, rgbLutPath } from "../../static/js/compare/queries.js";
+import { later, queries, restCalls } from "../../static/js/compare/queries.js";
 import { curveTraces, distinct, errorRange, errorTraces } from "../../static/js/compare/traces.js";
 import { EXAMPLES, shows, stateOf } from "../../static/js/examples.js";
 import { parameterFields, parameterQuery } from "../../static/js/model-parameters.js";
 import { createState } from "../../static/js/state.js";
+import { lutPath, rgbLutPath } from "../../static/js/tables/queries.js";
 
 /** @typedef {import("../../static/js/types.js").Parameter} Parameter */
 /** @typedef {import("../../static/js/types.js").Model} Model */
@@ -339,11 +340,11 @@ test("a table is that of the model whose code is shown, with its parameters", ()
   const state = stateWith({ against: ["lut_1d", "schlick"], "lut_1d.size": 16, n_t: 2 });
   assert.equal(later(state, CATALOG).lut, "/lut/errors?model=lut_1d&n_t=2&lut_1d.size=16");
   const exact = { ...state, code: "exact" };
-  assert.equal(lutPath(exact, CATALOG, "/lut", ["size=8"]), "/lut?n_t=2&size=8");
-  assert.equal(rgbLutPath(exact, CATALOG), null);
+  assert.equal(lutPath(exact, CATALOG, "exact", "/lut", ["size=8"]), "/lut?n_t=2&size=8");
+  assert.equal(rgbLutPath(exact, CATALOG, "exact"), null);
   const gold = { ...exact, material: "Au" };
   const materials = /** @type {any} */ ([{ id: "Au", n_range_nm: [300, 800] }]);
-  const found = rgbLutPath(gold, { ...CATALOG, materials });
+  const found = rgbLutPath(gold, { ...CATALOG, materials }, "exact");
   assert.equal(found, "/lut?material=Au&n_i=1&channels=3");
-  assert.equal(rgbLutPath({ ...gold, code: "schlick" }, { ...CATALOG, materials }), null);
+  assert.equal(rgbLutPath(gold, { ...CATALOG, materials }, "schlick"), null);
 });

@@ -3,7 +3,7 @@ import { test } from "node:test";
 import { boundsOf, cameraAt, rowsBelow } from "../../static/js/preview/camera.js";
 import { tableOf, texelsOf } from "../../static/js/preview/curves.js";
 import { ciede2000, differenceOf, lab } from "../../static/js/preview/difference.js";
-import { coloredMaterial, queries, sidePaths } from "../../static/js/preview/queries.js";
+import { coloredMaterial, later, queries, sidePaths } from "../../static/js/preview/queries.js";
 import { INTERVALS, UNDEFINED } from "../../static/js/preview/shader.js";
 
 /**
@@ -207,4 +207,25 @@ test("a material is asked for in color, by its color or at three wavelengths", (
   );
   for (const other of [{ material: "UV" }, { material: "Au-shirley" }, { wavelength_nm: 500 }])
     assert.equal(coloredMaterial({ ...gold, ...other }, catalog), null);
+});
+
+test("code and tables are those of a model on the sides, or of what is exact", () => {
+  const field = (/** @type {any} */ more) => ({ default: 0, minimum: 0, maximum: 100, ...more });
+  const catalog = /** @type {any} */ ({
+    models: [],
+    materials: [],
+    parameters: [
+      field({ name: "n_i", default: 1 }),
+      field({ name: "n_t", default: 1.5 }),
+      field({ name: "k_t" }),
+    ],
+  });
+  const state = { left: "none", right: "none", language: "osl", n_i: 1, n_t: 2, code: null };
+  assert.deepEqual(later({ ...state, k_t: 0 }, catalog), {
+    shader: "/shaders/exact?language=osl",
+    lut: "/lut/errors?n_t=2",
+  });
+  const one = { ...state, left: "schlick", right: "schlick", k_t: 0 };
+  assert.equal(later(one, catalog).lut, "/lut/errors?model=schlick&n_t=2");
+  assert.equal(later({ ...one, code: "exact" }, catalog).shader, "/shaders/exact?language=osl");
 });

@@ -1,5 +1,6 @@
 /** What the Albedo view asks the server for. */
 
+import { mediaQuery, path } from "../questions.js";
 import { chosenFits, isMetal, mapFit, mapRange, sweepRange } from "./fields.js";
 
 /**
@@ -12,19 +13,6 @@ const STEPS = { dielectric: 401, metal: 401 };
 const MAP_CELLS = { n: 118, k: 121 };
 /** A cell's colour needs no more. */
 const MAP_DIGITS = 6;
-
-/** @param {string} route @param {(string | false)[]} parts */
-function path(route, parts) {
-  const query = parts.filter(Boolean).join("&");
-  return query ? `${route}?${query}` : route;
-}
-
-/** @param {State} state @param {Catalog} catalog @param {string[]} names @returns {string[]} those that differ from the API's defaults */
-function media(state, { parameters }, names) {
-  return names
-    .filter((name) => state[name] !== parameters.find((p) => p.name === name)?.default)
-    .map((name) => `${name}=${state[name]}`);
-}
 
 /** @param {State} state @param {Catalog} catalog */
 export function sweepPath(state, catalog) {
@@ -39,13 +27,13 @@ export function sweepPath(state, catalog) {
     `steps=${metal ? STEPS.metal : STEPS.dielectric}`,
     fits.length > 0 && `fits=${fits.join(",")}`,
     state.lights.includes("flatland") && "flatland=true",
-    ...(metal ? media(state, catalog, ["n_i", over === "n_t" ? "k_t" : "n_t"]) : []),
+    ...(metal ? mediaQuery(state, catalog, ["n_i", over === "n_t" ? "k_t" : "n_t"]) : []),
   ]);
 }
 
 /** @param {State} state @param {Catalog} catalog */
 export function herePath(state, catalog) {
-  return path("/albedo", media(state, catalog, ["n_i", "n_t", "k_t"]));
+  return path("/albedo", mediaQuery(state, catalog, ["n_i", "n_t", "k_t"]));
 }
 
 /** @param {State} state @param {Catalog} catalog */
@@ -61,7 +49,7 @@ export function mapPath(state, catalog) {
     `k_maximum=${k[1]}`,
     `k_steps=${MAP_CELLS.k}`,
     `digits=${MAP_DIGITS}`,
-    ...media(state, catalog, ["n_i"]),
+    ...mediaQuery(state, catalog, ["n_i"]),
   ]);
 }
 

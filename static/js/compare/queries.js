@@ -1,7 +1,9 @@
 /** What the Compare view asks the server for. */
 
 import { parameterQuery } from "../model-parameters.js";
+import { mediaQuery, path } from "../questions.js";
 import { codeOf, snippetPath } from "../snippets/fields.js";
+import { lutPath } from "../tables/queries.js";
 import { convertPath } from "./conversions.js";
 import { focused, isMap, isPointwise, ranges, withCode } from "./fields.js";
 
@@ -17,16 +19,13 @@ const MAP_CELLS = { theta: 181, n: 121, wide: 121, k: 101 };
 /** A cell's color needs no more. */
 const MAP_DIGITS = 4;
 
-/** @param {State} state @param {Catalog} catalog @param {string[]} [without] @returns {string[]} */
-function mediaQuery(state, { parameters }, without = []) {
-  return ["n_i", "n_t", "k_t"]
-    .filter((name) => !without.includes(name))
-    .filter((name) => state[name] !== parameters.find((p) => p.name === name)?.default)
-    .map((name) => `${name}=${state[name]}`);
-}
-
-/** @param {string} route @param {string[]} parts */
-const path = (route, parts) => `${route}?${parts.filter(Boolean).join("&")}`;
+/** @param {State} state @param {Catalog} catalog @param {string[]} without @returns {string[]} */
+const mediaBut = (state, catalog, without) =>
+  mediaQuery(
+    state,
+    catalog,
+    ["n_i", "n_t", "k_t"].filter((name) => !without.includes(name)),
+  );
 
 /** @param {State} state @param {Catalog} catalog @param {number} [n] of another member of the family */
 function curvesPath(state, catalog, n) {
@@ -67,7 +66,7 @@ export function sweepPath(state, catalog, model) {
     `minimum=${low}`,
     `maximum=${high}`,
     `steps=${SWEEP_STEPS}`,
-    ...mediaQuery(state, catalog, [over]),
+    ...mediaBut(state, catalog, [over]),
     ...parameterQuery(state, catalog.models, [model]),
   ]);
 }
@@ -94,7 +93,7 @@ export function mapPath(state, catalog) {
       : [...spread("x", "n_t", n, MAP_CELLS.wide), ...spread("y", "k_t", k, MAP_CELLS.k)]),
     `metric=${pointwise ? state.point : state.metric}`,
     `digits=${MAP_DIGITS}`,
-    ...mediaQuery(state, catalog, pointwise ? ["n_t"] : ["n_t", "k_t"]),
+    ...mediaBut(state, catalog, pointwise ? ["n_t"] : ["n_t", "k_t"]),
     ...parameterQuery(state, catalog.models, [model]),
   ]);
 }
@@ -106,27 +105,6 @@ export function recommendPath(state, catalog) {
     `max_error=${state.budget}`,
     `metric=${state.within}`,
   ]);
-}
-
-/** @param {State} state @param {Catalog} catalog @param {"/lut" | "/lut/errors"} route @param {string[]} [more] */
-export function lutPath(state, catalog, route, more = []) {
-  const model = codeOf(state, withCode(state));
-  return path(route, [
-    model === "exact" ? "" : `model=${model}`,
-    ...mediaQuery(state, catalog),
-    ...parameterQuery(state, catalog.models, [model]),
-    ...more,
-  ]);
-}
-
-/** The table in RGB of a material whose spectrum is known, for the exact curve. @param {State} state @param {Catalog} catalog */
-export function rgbLutPath(state, { materials }) {
-  const { material } = state;
-  const known = materials.find((m) => m.id === material)?.n_range_nm;
-  const exact = codeOf(state, withCode(state)) === "exact";
-  return exact && known
-    ? path("/lut", [`material=${material}`, `n_i=${state.n_i}`, "channels=3"])
-    : null;
 }
 
 /**
@@ -165,8 +143,9 @@ export function later(state, catalog) {
   }
   wanted.convert = convertPath(state);
   wanted.recommend = recommendPath(state, catalog);
-  wanted.shader = snippetPath(state, withCode(state));
-  wanted.lut = lutPath(state, catalog, "/lut/errors");
+  const offered = withCode(state);
+  wanted.shader = snippetPath(state, offered);
+  wanted.lut = lutPath(state, catalog, codeOf(state, offered), "/lut/errors");
   return wanted;
 }
 

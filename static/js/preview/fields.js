@@ -1,7 +1,9 @@
 /** The state that the Preview view adds to the one all views share. */
 
 import { parameterFields } from "../model-parameters.js";
+import { snippetFields } from "../snippets/fields.js";
 import { choice, LinkError, number } from "../state.js";
+import { tableFields } from "../tables/fields.js";
 
 /**
  * @typedef {import('../types.js').Catalog} Catalog
@@ -67,9 +69,15 @@ export function previewFields({ models }) {
     yaw: number(BOUNDS.yaw),
     pitch: number(BOUNDS.pitch),
     distance: number(BOUNDS.distance),
+    ...snippetFields(models),
+    ...tableFields(),
     ...parameterFields(models),
   };
 }
+
+/** Models whose code is offered: those on the sides, and what they are measured by. @param {State} state */
+export const withCode = ({ left, right }) =>
+  [...new Set([right, left, "exact"])].filter((id) => id !== NONE);
 
 /** Whether what enters the chosen medium never comes back. @param {State} state */
 export const isOpaque = ({ k_t }) => k_t > 0;

@@ -2,7 +2,10 @@
 
 import { isDispersive } from "../constants.js";
 import { parameterQuery, stateName } from "../model-parameters.js";
-import { isEven, isPaint, NONE } from "./fields.js";
+import { mediaQuery, path } from "../questions.js";
+import { codeOf, snippetPath } from "../snippets/fields.js";
+import { lutPath } from "../tables/queries.js";
+import { isEven, isPaint, NONE, withCode } from "./fields.js";
 
 /**
  * @typedef {import('../types.js').Catalog} Catalog
@@ -19,16 +22,6 @@ const CHANNEL_NM = { red: 630, green: 532, blue: 465 };
 const WATER = 1.333;
 /** Parameters that a color gives. */
 const COLORS = ["F0", "F82", "tint"];
-
-/** @param {string} route @param {string[]} parts */
-const path = (route, parts) => `${route}?${parts.filter(Boolean).join("&")}`;
-
-/** @param {State} state @param {Catalog} catalog @param {string[]} names @returns {string[]} */
-function media(state, { parameters }, names) {
-  return names
-    .filter((name) => state[name] !== parameters.find((p) => p.name === name)?.default)
-    .map((name) => `${name}=${state[name]}`);
-}
 
 /** The material whose colors can be shown, if there is one. @param {State} state @param {Catalog} catalog */
 export function coloredMaterial({ material, wavelength_nm, incident }, { materials }) {
@@ -65,7 +58,7 @@ function modelsQuery(state, catalog, ids) {
 function bothPath(state, catalog) {
   const ids = [...new Set([state.left, state.right])].filter((id) => id !== NONE).sort();
   return path("/curves", [
-    ...media(state, catalog, ["n_i", "n_t", "k_t"]),
+    ...mediaQuery(state, catalog),
     ...modelsQuery(state, catalog, ids),
     ...FINE,
   ]);
@@ -85,7 +78,7 @@ export function sidePaths(state, catalog, side) {
   if (!material) return { curves: bothPath(state, catalog) };
   const front = isDispersive(catalog.materials.find((m) => m.id === state.incident))
     ? [`incident=${state.incident}`]
-    : media(state, catalog, ["n_i"]);
+    : mediaQuery(state, catalog, ["n_i"]);
   if (takesColor(state, catalog, model)) {
     const beside = `models=${model === "exact" ? "schlick" : model}`;
     return {
@@ -126,7 +119,10 @@ export function coatPaths(state, catalog) {
   return Object.fromEntries(
     CHANNELS.map((channel, i) => [
       `coat.${channel}`,
-      path("/albedo/coat", [...media(state, catalog, ["n_i", "n_t"]), `body_albedo=${albedo[i]}`]),
+      path("/albedo/coat", [
+        ...mediaQuery(state, catalog, ["n_i", "n_t"]),
+        `body_albedo=${albedo[i]}`,
+      ]),
     ]),
   );
 }
@@ -144,6 +140,15 @@ export function queries(state, catalog) {
     ...coatPaths(state, catalog),
     ...(state.scene === "ball" &&
       !isEven(state) && { water: path("/curves", [`n_t=${WATER}`, ...FINE]) }),
+  };
+}
+
+/** Code and tables, which are below the picture. @param {State} state @param {Catalog} catalog @returns {Record<string, string>} */
+export function later(state, catalog) {
+  const offered = withCode(state);
+  return {
+    shader: snippetPath(state, offered),
+    lut: lutPath(state, catalog, codeOf(state, offered), "/lut/errors"),
   };
 }
 

@@ -7,9 +7,10 @@ import { createPlot } from "../plots.js";
 import { codeOf } from "../snippets/fields.js";
 import { loadStyle } from "../style.js";
 import { DEPTHS, pickedSize, SIZES } from "./fields.js";
+import { lutPath, rgbLutPath } from "./queries.js";
 
 /**
- * @typedef {import('../types.js').Model} Model
+ * @typedef {import('../types.js').Catalog} Catalog
  * @typedef {import('../types.js').State} State
  */
 
@@ -35,13 +36,11 @@ const scientific = (value) =>
 /**
  * @param {object} options
  * @param {HTMLElement} options.parent in the document, because plots read colours and sizes from it
- * @param {Model[]} options.models
+ * @param {Catalog} options.catalog
  * @param {{set: (patch: State) => void}} options.actions
- * @param {(now: State, more: string[]) => string} options.address of /lut for what is on the screen
- * @param {(now: State) => string | null} options.rgb address of the same in RGB, where there is one
  */
-export function createTables({ parent, models, actions, address, rgb }) {
-  const titles = new Map(models.map((m) => [m.id, m.title]));
+export function createTables({ parent, catalog, actions }) {
+  const titles = new Map(catalog.models.map((m) => [m.id, m.title]));
   const model = h("select", {
     class: "preset",
     "aria-label": "Model that is tabulated",
@@ -106,9 +105,9 @@ export function createTables({ parent, models, actions, address, rgb }) {
     },
   });
 
-  /** @param {string} format @param {string} href @param {string} [label] */
-  const file = (format, href, label = format.toUpperCase()) =>
-    h("a", { class: "quiet", href, download: "" }, label);
+  /** @param {string} label @param {string} path */
+  const file = (label, path) =>
+    h("a", { class: "quiet", href: `api/v1${path}`, download: "" }, label);
 
   /** @type {any} */
   let drawn = null;
@@ -128,7 +127,8 @@ export function createTables({ parent, models, actions, address, rgb }) {
           ...offered.map((id) => h("option", { value: id }, titles.get(id) ?? id)),
         );
       }
-      model.value = codeOf(now, offered);
+      const id = codeOf(now, offered);
+      model.value = id;
       size.value = now.table_size;
       bits.update([now.bits]);
       setText(wrong, problem ? problem.lines.join(" · ") || problem.title : "");
@@ -167,12 +167,14 @@ export function createTables({ parent, models, actions, address, rgb }) {
           : `${now.table_size} texels, ${depth.label}: at no angle off by more than ${scientific(error)}.`,
       );
       const parts = [`size=${now.table_size}`, `bits=${now.bits}`];
-      const color = rgb(now);
+      const color = rgbLutPath(now, catalog, id, [`size=${now.table_size}`, "format=exr"]);
       files.replaceChildren(
         ...(error === null
           ? []
-          : depth.formats.map((f) => file(f, address(now, [...parts, `format=${f}`])))),
-        ...(color ? [file("exr", `${color}&size=${now.table_size}&format=exr`, "RGB as EXR")] : []),
+          : depth.formats.map((f) =>
+              file(f.toUpperCase(), lutPath(now, catalog, id, "/lut", [...parts, `format=${f}`])),
+            )),
+        ...(color ? [file("RGB as EXR", color)] : []),
       );
     },
     theme: () => plot.theme(),

@@ -8,12 +8,13 @@ import { compareFields, isMap, withCode } from "../compare/fields.js";
 import { createFigure } from "../compare/figure.js";
 import { short } from "../compare/metrics.js";
 import { createPlots } from "../compare/plots.js";
-import { later, lutPath, queries, restCalls, rgbLutPath } from "../compare/queries.js";
+import { later, queries, restCalls } from "../compare/queries.js";
 import { createRecommend } from "../compare/recommend.js";
 import { createTable } from "../compare/table.js";
 import { h } from "../dom.js";
 import { createDefinitions } from "../explore/definitions.js";
 import { angle } from "../format.js";
+import { freshOf } from "../questions.js";
 import { createSnippets } from "../snippets/panel.js";
 import { loadStyle } from "../style.js";
 import { createTables } from "../tables/panel.js";
@@ -81,16 +82,7 @@ export function createView({
     convert.element,
     snippets.element,
   );
-  const tables = createTables({
-    parent: element,
-    models,
-    actions,
-    address: (now, more) => `api/v1${lutPath(now, catalog, "/lut", more)}`,
-    rgb: (now) => {
-      const found = rgbLutPath(now, catalog);
-      return found && `api/v1${found}`;
-    },
-  });
+  const tables = createTables({ parent: element, catalog, actions });
 
   /** @type {Record<string, {title: string, lines: string[]}>} what went wrong, by the query's name */
   const problems = {};
@@ -200,18 +192,5 @@ function solvedOf(errors) {
         value === null ? [] : [[`${row.model}.${name}`, value]],
       ),
     ),
-  );
-}
-
-/**
- * The answers to the questions of this very state.
- * @param {Record<string, any>} answers
- * @param {Record<string, string>} wanted paths by name
- */
-function freshOf(answers, wanted) {
-  return Object.fromEntries(
-    Object.entries(wanted)
-      .filter(([name, path]) => answers.asked?.[name] === path)
-      .map(([name]) => [name, answers[name]]),
   );
 }

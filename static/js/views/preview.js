@@ -1,5 +1,6 @@
 /** Preview: a scene rendered with one model on the left and another on the right, and how far they are apart. */
 
+import { copyText, flash } from "../clipboard.js";
 import { createChoice } from "../controls/choice.js";
 import { createRow } from "../controls/row.js";
 import { h, setText } from "../dom.js";
@@ -7,13 +8,14 @@ import { plain, significant } from "../format.js";
 import { createControls } from "../preview/controls.js";
 import { createExamples } from "../preview/examples.js";
 import { BOUNDS, isEven, isOpaque, isPaint, NONE, previewFields } from "../preview/fields.js";
-import { coatPaths, sidePaths } from "../preview/queries.js";
+import { coatPaths, queries, sidePaths } from "../preview/queries.js";
 import { BODY, HOW } from "../preview/shader.js";
 import { createSides } from "../preview/sides.js";
 import { createStage } from "../preview/stage.js";
+import { createTakeaway } from "../preview/takeaway.js";
 import { loadStyle } from "../style.js";
 
-export { queries, restCalls } from "../preview/queries.js";
+export { later, queries, restCalls } from "../preview/queries.js";
 export const fields = previewFields;
 
 /**
@@ -28,11 +30,12 @@ await loadStyle("css/preview.css");
 const short = (x) => (x === 0 ? "0" : x < 0.1 ? significant(x, 2) : plain(x, 3));
 
 /** @param {ViewContext} context */
-export function createView({ element, catalog, presets, state, actions, save }) {
+export function createView({ element, catalog, presets, state, actions, say, save }) {
   const sides = createSides(catalog);
   const controls = createControls({ catalog, presets, state, actions });
   const examples = createExamples({ onShow: actions.set });
   const stage = createStage({ state, actions, save, onMeasured: showDifference });
+  const takeaway = createTakeaway({ catalog, state, actions, say, save });
 
   const see = createChoice({
     legend: "What is shown",
@@ -96,6 +99,24 @@ export function createView({ element, catalog, presets, state, actions, save }) 
     ]),
   );
   const counted = h("p", { class: "reason" });
+  /** @type {Difference | null} the last that was measured */
+  let last = null;
+  const copy = h(
+    "button",
+    {
+      type: "button",
+      class: "quiet",
+      "aria-label": "Copy the differences as JSON, in full precision",
+      disabled: true,
+      onclick: async () => {
+        const { left, right } = state();
+        const done = await copyText(JSON.stringify({ left, right, ...last }, null, 2));
+        flash(copy, done);
+        say(done ? "The differences were copied." : "The browser refused to copy.");
+      },
+    },
+    "copy",
+  );
   const measured = h(
     "section",
     { class: "differences", "aria-label": "How far the sides are apart" },
@@ -109,7 +130,7 @@ export function createView({ element, catalog, presets, state, actions, save }) 
         ["colors.largest", "largest ΔE₀₀"],
       ]).map(([name, title]) => h("div", {}, h("dt", {}, title), numbers[name] ?? null)),
     ),
-    counted,
+    h("div", { class: "counted" }, counted, copy),
   );
 
   const fallback = h(
@@ -129,7 +150,7 @@ export function createView({ element, catalog, presets, state, actions, save }) 
     measured,
   );
   measured.hidden = !stage.works;
-  element.append(controls.element, work);
+  element.append(controls.element, work, takeaway.element);
   showFlicker(stage.flicker.on());
 
   /** @param {boolean} on */
@@ -139,6 +160,8 @@ export function createView({ element, catalog, presets, state, actions, save }) 
 
   /** @param {Difference | null} difference */
   function showDifference(difference) {
+    last = difference;
+    copy.disabled = difference === null;
     measured.toggleAttribute("data-stale", difference === null);
     if (!difference) return;
     for (const [name, place] of Object.entries(numbers)) {
@@ -180,6 +203,8 @@ export function createView({ element, catalog, presets, state, actions, save }) 
   /** The last that was known of the paint, by channel. @type {any[]} */
   let coats = [];
   let drawn = false;
+  /** What the picture was last made of. @type {unknown[]} */
+  let made = [];
 
   /** @param {State} now */
   function sceneOf(now) {
@@ -203,6 +228,11 @@ export function createView({ element, catalog, presets, state, actions, save }) 
   return {
     /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
     update(now, answers, moving) {
+      if (!moving) takeaway.update(answers);
+      // Code and tables arrive later, and change nothing in the picture.
+      const parts = [now, moving, ...Object.keys(queries(now, catalog)).map((k) => answers[k])];
+      if (parts.length === made.length && parts.every((part, i) => part === made[i])) return;
+      made = parts;
       sides.take(answers);
       controls.update(now, { left: reasonOf(now, "left"), right: reasonOf(now, "right") });
       examples.update(now);
@@ -244,7 +274,8 @@ export function createView({ element, catalog, presets, state, actions, save }) 
         : "";
     },
 
-    theme() {},
+    problem: takeaway.problem,
+    theme: takeaway.theme,
     deactivate() {
       stage.stop();
       controls.stop();
@@ -252,6 +283,7 @@ export function createView({ element, catalog, presets, state, actions, save }) 
     },
     destroy() {
       stage.destroy();
+      takeaway.destroy();
       controls.stop();
       gain.stop();
     },
