@@ -35,8 +35,9 @@ LAYERS = {
         "app.snippets",
     },
     "app.comments": set(),
-    "app.page": {"app.comments", "app.ready"},
+    "app.page": {"app.comments", "app.ready", "app.service_worker"},
     "app.routing": {"app.api"},
+    "app.service_worker": set(),
     "app.settings": set(),
 }
 OUTSIDE = {
