@@ -480,7 +480,7 @@ async function start() {
     });
   }
   listenForKeys(orders);
-  byId("find").addEventListener("click", orders.find);
+  byId("open-finder").addEventListener("click", orders.find);
   byId("help").addEventListener("click", orders.help);
   state.subscribe(async (now, moving) => {
     if (now.view !== active) await open(now.view);
