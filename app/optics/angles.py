@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 
 from app.optics.brewster import brewster_angle_deg
 from app.optics.critical import critical_angle_deg
-from app.optics.formula import ETA, Accuracy, Axis, Curve, Formula, Series, Symbol
+from app.optics.formula import ETA, Axis, Curve, Formula, Series, Symbol, rounding
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, Array
 
@@ -117,16 +117,7 @@ FORMULAS = (
         "Phil. Trans. R. Soc. 105, 125 (1815), doi:10.1098/rstl.1815.0010",
         validity="Dielectrics, from either side; what is reflected there is s-polarized. Without "
         "absorption alone: see the pseudo-Brewster angle.",
-        accuracy=(
-            Accuracy(
-                value=1e-14,
-                of="angle",
-                over="eta from 0.001 to 100",
-                against="50-digit arithmetic",
-                relative=True,
-                at_most=True,
-            ),
-        ),
+        accuracy=(rounding(1e-14, "angle", "eta from 0.001 to 100"),),
         at=Interface(n_t=1.5),
         curve=_over_eta(0.2, 4.0, brewster_deg, "Brewster's angle"),
     ),
@@ -138,16 +129,7 @@ FORMULAS = (
         "1.5.4, doi:10.1017/CBO9781139644181",
         validity="From the denser side, eta < 1, into a medium that does not absorb; elsewhere there is "
         "none. The light that seems to be lost runs along the surface as an evanescent wave.",
-        accuracy=(
-            Accuracy(
-                value=1e-14,
-                of="angle",
-                over="eta from 0.001 to 1 - 1e-9",
-                against="50-digit arithmetic",
-                relative=True,
-                at_most=True,
-            ),
-        ),
+        accuracy=(rounding(1e-14, "angle", "eta from 0.001 to 1 - 1e-9"),),
         at=Interface(1.5, 1.0),
         curve=_over_eta(0.2, 1.2, critical_deg, "critical angle"),
     ),
@@ -164,16 +146,7 @@ FORMULAS = (
         "Am. A 3, 1772 (1986), doi:10.1364/JOSAA.3.001772",
         validity="Every interface: the angle of least R_p, which is 0 without absorption alone. It is "
         "solved numerically, since the closed form loses its digits.",
-        accuracy=(
-            Accuracy(
-                value=1e-14,
-                of="angle",
-                over="eta from 0.2 to 4, kappa from 0.1 to 8",
-                against="50-digit arithmetic",
-                relative=True,
-                at_most=True,
-            ),
-        ),
+        accuracy=(rounding(1e-14, "angle", "eta from 0.2 to 4, kappa from 0.1 to 8"),),
         at=Interface(1.0, 1.5, 3.0),
         takes=(K_T,),
         curve=_over_eta(0.2, 4.0, pseudo_brewster_deg, "pseudo-Brewster angle"),

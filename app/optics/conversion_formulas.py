@@ -13,12 +13,13 @@ from app.optics.conversions import (
     SEEN_FROM,
     SPECULAR,
     TITLES,
+    Form,
     Known,
     convert,
     know,
 )
 from app.optics.edge_tint import EDGE_TINT, TINT_ANGLE
-from app.optics.formula import Accuracy, Axis, Curve, Formula, Series, Symbol
+from app.optics.formula import Accuracy, Axis, Curve, Formula, Series, Symbol, rounding
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_T, Parameter
 from app.optics.registry import default_registry
@@ -71,37 +72,43 @@ def _at(interface: Interface) -> Known:
     return know("nk", n_t=n, k_t=k)
 
 
-def _there_and_back(value: float, over: str) -> tuple[Accuracy, ...]:
-    return (
-        Accuracy(
-            value=value,
-            of="what comes back",
-            over=over,
-            against="what was given, there and back",
-            relative=True,
-            at_most=True,
-        ),
-    )
-
-
-def _against_50_digits(value: float, of: str, over: str) -> tuple[Accuracy, ...]:
-    return (
-        Accuracy(
-            value=value,
-            of=of,
-            over=over,
-            against="50-digit arithmetic",
-            relative=True,
-            at_most=True,
-        ),
-    )
+def _there_and_back(value: float, over: str) -> Accuracy:
+    return rounding(value, "what comes back", over, "what was given, there and back")
 
 
 _BORN_AND_WOLF = (
     "M. Born and E. Wolf, Principles of Optics, 7th edition, 1.5.2, doi:10.1017/CBO9781139644181"
 )
 _INDEX_NAMES = (("n_t", "n"), ("k_t", "k"))
-_ENGINE_RANGE = "Dielectrics in air, F0 up to {0:g}, an index up to {1:.3g}; metals are beyond it."
+
+
+def _of_an_engine(
+    name: Form,
+    level: Parameter,
+    title: str,
+    largest: float,
+    *,
+    latex: str,
+    reference: str,
+    tried: str,
+) -> Formula:
+    """An engine's way to write F0, from 0 to 1, where it is `largest`."""
+
+    def index(value: float) -> float:
+        return know(name, **{name: value}).dielectric_eta
+
+    return Formula(
+        id=f"conversion.{name}",
+        title=TITLES[name],
+        latex=latex,
+        parameters=(level,),
+        reference=reference,
+        validity=f"Dielectrics in air, F0 up to {largest:g}, an index up to {index(1.0):.3g}; "
+        "metals are beyond it.",
+        accuracy=(_there_and_back(1e-14, f"{tried} by way of n_t"),),
+        at=_GLASS,
+        curve=_curve(_axis(level, title), 0.0, 1.0, _N, [("n_t", "n")], lambda _, x: [index(x)]),
+    )
 
 
 def _model_latex(model_id: str) -> str:
@@ -116,7 +123,7 @@ FORMULAS = (
         latex=r"F_0=\left(\frac{n_t-n_i}{n_t+n_i}\right)^2",
         reference=_BORN_AND_WOLF,
         validity="Dielectrics, from either side; F0 does not tell n_t from n_i^2 / n_t.",
-        accuracy=_there_and_back(1e-14, "n_t from 1.05 to 60 by way of F0"),
+        accuracy=(_there_and_back(1e-14, "n_t from 1.05 to 60 by way of F0"),),
         at=_GLASS,
         curve=_curve(_N, 1.0, 4.0, _F0, [("F0", "F0")], lambda _, x: [know("ior", n_t=x).F0]),
     ),
@@ -126,7 +133,7 @@ FORMULAS = (
         latex=r"F_0=\frac{(n_t-n_i)^2+k_t^2}{(n_t+n_i)^2+k_t^2}",
         reference=_BORN_AND_WOLF + ", and 14.2",
         validity="Every interface. Two numbers become one: n and k cannot be had back from F0.",
-        accuracy=_against_50_digits(1e-14, "F0", "n from 0.05 to 10, k up to 10"),
+        accuracy=(rounding(1e-14, "F0", "n from 0.05 to 10, k up to 10"),),
         at=_GOLD,
         takes=(N_T,),
         curve=_curve(
@@ -145,7 +152,7 @@ FORMULAS = (
         reference=_BORN_AND_WOLF + "; S. Lagarde, Memo on Fresnel equations (2013)",
         validity="Where the second medium does not absorb and is the denser one, which F0 does "
         "not tell.",
-        accuracy=_there_and_back(1e-14, "F0 from 0.001 to 0.96 by way of n_t"),
+        accuracy=(_there_and_back(1e-14, "F0 from 0.001 to 0.96 by way of n_t"),),
         at=_GLASS,
         curve=_curve(
             _axis(F0_LINEAR, "F0, linear"),
@@ -168,7 +175,7 @@ FORMULAS = (
         validity="Values from 0 to 1, channel by channel. Reflectances are linear: decode a "
         "picked color "
         "before it becomes an F0.",
-        accuracy=_there_and_back(1e-14, "F0 from 0.001 to 1 by way of sRGB"),
+        accuracy=(_there_and_back(1e-14, "F0 from 0.001 to 1 by way of sRGB"),),
         at=_GLASS,
         curve=_curve(
             _axis(F0_SRGB, "F0 as an sRGB value"),
@@ -204,41 +211,23 @@ FORMULAS = (
             lambda _, x: _form(know("f0", F0=x), "f0_hex", "F0"),
         ),
     ),
-    Formula(
-        id="conversion.specular",
-        title=TITLES["specular"],
+    _of_an_engine(
+        "specular",
+        SPECULAR,
+        "specular level",
+        0.08,
         latex=r"F_0=0.08\,\text{specular}",
-        parameters=(SPECULAR,),
         reference="B. Burley, Physically Based Shading at Disney, SIGGRAPH 2012 course notes",
-        validity=_ENGINE_RANGE.format(0.08, know("specular", specular=1.0).dielectric_eta),
-        accuracy=_there_and_back(1e-14, "specular from 0.01 to 1 by way of n_t"),
-        at=_GLASS,
-        curve=_curve(
-            _axis(SPECULAR, "specular level"),
-            0.0,
-            1.0,
-            _N,
-            [("n_t", "n")],
-            lambda _, x: [know("specular", specular=x).dielectric_eta],
-        ),
+        tried="specular from 0.01 to 1",
     ),
-    Formula(
-        id="conversion.reflectance",
-        title=TITLES["reflectance"],
+    _of_an_engine(
+        "reflectance",
+        FILAMENT,
+        "Filament's reflectance",
+        0.16,
         latex=r"F_0=0.16\,\text{reflectance}^2",
-        parameters=(FILAMENT,),
         reference="R. Guy and M. Agopian, Physically Based Rendering in Filament",
-        validity=_ENGINE_RANGE.format(0.16, know("reflectance", reflectance=1.0).dielectric_eta),
-        accuracy=_there_and_back(1e-14, "reflectance from 0.1 to 1 by way of n_t"),
-        at=_GLASS,
-        curve=_curve(
-            _axis(FILAMENT, "Filament's reflectance"),
-            0.0,
-            1.0,
-            _N,
-            [("n_t", "n")],
-            lambda _, x: [know("reflectance", reflectance=x).dielectric_eta],
-        ),
+        tried="reflectance from 0.1 to 1",
     ),
     Formula(
         id="conversion.rg",
@@ -247,7 +236,9 @@ FORMULAS = (
         parameters=default_registry()["gulbrandsen_rg"].parameters,
         reference=default_registry()["gulbrandsen_rg"].reference,
         validity="Interfaces with |N| of at least n_i; g runs from 0, a dielectric, to 1, |N| = n_i.",
-        accuracy=_there_and_back(1e-11, "eta from 0.1 to 10, kappa up to 10, |N| of at least 1.01"),
+        accuracy=(
+            _there_and_back(1e-11, "eta from 0.1 to 10, kappa up to 10, |N| of at least 1.01"),
+        ),
         at=_GOLD,
         takes=(N_T, K_T),
         curve=_curve(
@@ -267,7 +258,7 @@ FORMULAS = (
         reference=default_registry()["deon_rg"].reference,
         validity="Every interface that reflects something: G = 0 is the denser dielectric of that "
         "reflectance, G = 1 the thinner.",
-        accuracy=_there_and_back(1e-13, "eta from 0.1 to 10, kappa up to 10"),
+        accuracy=(_there_and_back(1e-13, "eta from 0.1 to 10, kappa up to 10"),),
         at=_GOLD,
         takes=(N_T, K_T),
         curve=_curve(
@@ -288,7 +279,7 @@ FORMULAS = (
         validity="Every interface; cosine 1/7 is where the dip of metals under Schlick's curve "
         "is deepest "
         "in Hoffman's form.",
-        accuracy=_against_50_digits(1e-14, "F82", "n from 0.05 to 10, k up to 10"),
+        accuracy=(rounding(1e-14, "F82", "n from 0.05 to 10, k up to 10"),),
         at=Interface(1.0, 1.5, 3.0),
         takes=(K_T,),
         curve=_curve(
@@ -310,7 +301,7 @@ FORMULAS = (
         "(2021); OpenPBR Surface specification, metal",
         validity="Interfaces whose R at 82 degrees does not exceed Schlick's, as that of metals; a tint "
         "above 1 cannot be given.",
-        accuracy=_against_50_digits(1e-14, "tint", "n from 0.05 to 10, k up to 10"),
+        accuracy=(rounding(1e-14, "tint", "n from 0.05 to 10, k up to 10"),),
         at=Interface(1.0, 1.5, 3.0),
         takes=(K_T,),
         curve=_curve(
@@ -332,7 +323,7 @@ FORMULAS = (
         validity="Every interface. From F0 alone it holds if the second medium does not absorb "
         "and is the "
         "denser one.",
-        accuracy=_against_50_digits(1e-14, "F0", "n from 0.05 to 10, k up to 10, from 1.333"),
+        accuracy=(rounding(1e-14, "F0", "n from 0.05 to 10, k up to 10, from 1.333"),),
         at=_GLASS,
         takes=(N_T, K_T),
         curve=_curve(

@@ -69,6 +69,11 @@ class Accuracy:
     unit: str = ""
 
 
+def rounding(value: float, of: str, over: str, against: str = "50-digit arithmetic") -> Accuracy:
+    """State the error of what is exact but for rounding: a relative bound, on any machine."""
+    return Accuracy(value=value, of=of, over=over, against=against, relative=True, at_most=True)
+
+
 @dataclass(frozen=True, slots=True)
 class Axis:
     """What runs along an axis: name in the API, LaTeX, words, unit."""

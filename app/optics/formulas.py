@@ -24,6 +24,7 @@ from app.optics.formula import (
     FormulaKind,
     Series,
     Symbol,
+    rounding,
 )
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
@@ -121,14 +122,7 @@ def _at_interface(stated: Measured) -> Accuracy:
 
 
 def _rounded_at(stated: Rounding) -> Accuracy:
-    return Accuracy(
-        value=stated.max_relative,
-        of="R",
-        over=f"{_words(stated)}, whole degrees below 90",
-        against="50-digit arithmetic",
-        relative=True,
-        at_most=True,
-    )
+    return rounding(stated.max_relative, "R", f"{_words(stated)}, whole degrees below 90")
 
 
 def _claimed(claim: Claim) -> Accuracy:

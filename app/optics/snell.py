@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from app.optics.amplitudes import wave
 from app.optics.errors import NotAllowed
-from app.optics.formula import THETA, Accuracy, Axis, Curve, Formula, Series, Symbol
+from app.optics.formula import THETA, Axis, Curve, Formula, Series, Symbol, rounding
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, Array
@@ -163,19 +163,7 @@ def _penetration(interface: Interface, samples: int) -> Curve:
     return Curve(THETA, theta, y, (Series("depth", "penetration depth", values),))
 
 
-def _against_50_digits(value: float, of: str) -> tuple[Accuracy, ...]:
-    over = "1500 interfaces scattered over the whole range, angles from 0 to 90 degrees"
-    return (
-        Accuracy(
-            value=value,
-            of=of,
-            over=over,
-            against="50-digit arithmetic",
-            relative=True,
-            at_most=True,
-        ),
-    )
-
+_SCATTERED = "1500 interfaces scattered over the whole range, angles from 0 to 90 degrees"
 
 FORMULAS = (
     Formula(
@@ -189,7 +177,7 @@ FORMULAS = (
         validity="Every interface; none beyond the critical angle. In an absorber it is the "
         "angle of the "
         "planes of constant phase, while those of constant amplitude stay parallel to the surface.",
-        accuracy=_against_50_digits(1e-14, "angle"),
+        accuracy=(rounding(1e-14, "angle", _SCATTERED),),
         at=Interface(n_t=1.5),
         takes=(N_I, N_T, K_T),
         curve=_refraction,
@@ -208,7 +196,7 @@ FORMULAS = (
         validity="Absorbers at every angle, and total internal reflection, where it is the reach of the "
         "evanescent wave; elsewhere light travels on undamped. It is the depth at which the power has "
         "fallen to 1/e, for the amplitude it is twice as large.",
-        accuracy=_against_50_digits(1e-14, "depth"),
+        accuracy=(rounding(1e-14, "depth", _SCATTERED),),
         at=Interface(1.5, 1.0),
         takes=(N_I, N_T, K_T),
         curve=_penetration,

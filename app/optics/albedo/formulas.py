@@ -7,7 +7,7 @@ import numpy as np
 from app.optics.albedo.coat import BODY_ALBEDO, coat_split
 from app.optics.albedo.exact import albedo
 from app.optics.albedo.flatland import flatland_albedo
-from app.optics.formula import ETA, Accuracy, Axis, Curve, Formula, Series, Symbol
+from app.optics.formula import ETA, Accuracy, Axis, Curve, Formula, Series, Symbol, rounding
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_T
 
@@ -56,18 +56,7 @@ def _coat(interface: Interface, samples: int) -> Curve:
     return Curve(x, body, Axis("share", "A", "share of diffuse light"), series)
 
 
-def _against_35_digits(value: float, over: str) -> tuple[Accuracy, ...]:
-    return (
-        Accuracy(
-            value=value,
-            of="A",
-            over=over,
-            against="35-digit arithmetic",
-            relative=True,
-            at_most=True,
-        ),
-    )
-
+_35_DIGITS = "35-digit arithmetic"
 
 FORMULAS = (
     Formula(
@@ -77,7 +66,7 @@ FORMULAS = (
         reference="the definition, as in M. N. Ozisik, Radiative Transfer, Wiley 1973; E. d'Eon, "
         "A Hitchhiker's Guide to Multiple Scattering, Fresnel Boundaries, 2019",
         validity="Every interface; of absorbing media there is no closed form, and it is summed.",
-        accuracy=_against_35_digits(1e-13, "absorbers, eta and kappa up to 100"),
+        accuracy=(rounding(1e-13, "A", "absorbers, eta and kappa up to 100", _35_DIGITS),),
         at=Interface(1.0, 1.5, 3.0),
         takes=(K_T,),
         curve=_over_eta,
@@ -94,7 +83,7 @@ FORMULAS = (
         "Radiative Transfer (1973), p. 60; E. d'Eon, A Hitchhiker's Guide to Multiple Scattering "
         "(2019); rewritten here so that nothing cancels as eta nears 1",
         validity="Dielectrics from the thinner side, eta > 1; from the denser side by reciprocity.",
-        accuracy=_against_35_digits(1e-14, "eta from 1 + 1e-12 to 100"),
+        accuracy=(rounding(1e-14, "A", "eta from 1 + 1e-12 to 100", _35_DIGITS),),
         at=Interface(n_t=1.5),
         curve=_over_eta,
     ),
@@ -106,7 +95,7 @@ FORMULAS = (
         "E. d'Eon, A Hitchhiker's Guide to Multiple Scattering, Fresnel Boundaries, 2019",
         validity="Dielectrics, for each polarization: what leaves a dense medium is limited to the cone "
         "within the critical angle, and the rest is reflected inside.",
-        accuracy=_against_35_digits(1e-14, "eta from 0.001 to 1 - 1e-9"),
+        accuracy=(rounding(1e-14, "A", "eta from 0.001 to 1 - 1e-9", _35_DIGITS),),
         at=Interface(1.5, 1.0),
         curve=_both_sides,
     ),
@@ -119,7 +108,7 @@ FORMULAS = (
         "closed form of a dielectric in elliptic integrals",
         validity="Light and surface in a plane, as in two-dimensional teaching scenes. Where the closed "
         "form's elliptic integral of the third kind is complex, its real part counts.",
-        accuracy=_against_35_digits(1e-11, "eta from 0.001 to 100, kappa up to 100"),
+        accuracy=(rounding(1e-11, "A", "eta from 0.001 to 100, kappa up to 100", _35_DIGITS),),
         at=Interface(n_t=1.5),
         takes=(K_T,),
         curve=_flatland,
