@@ -1,6 +1,6 @@
 /** The models' own parameters in the state and in queries, spelled `<model>.<parameter>`. */
 
-import { choice, LinkError, number } from "./state.js";
+import { choice, LinkError, number, whole } from "./state.js";
 
 /**
  * @typedef {import('./types.js').Model} Model
@@ -19,19 +19,6 @@ export function stateName(model, parameter) {
 export function defaultOf({ choices, default: preset }) {
   const named = choices?.find(([, value]) => value === preset);
   return named ? named[0] : preset;
-}
-
-/** @param {Parameter} declared @returns {Field} */
-function whole(declared) {
-  const field = number(declared);
-  return {
-    ...field,
-    parse(text) {
-      const value = field.parse(text);
-      if (!Number.isInteger(value)) throw new LinkError("allowed is a whole number");
-      return value;
-    },
-  };
 }
 
 /** One number, or three for R, G and B. @param {Parameter} declared @returns {Field} */
@@ -59,7 +46,7 @@ function fieldOf(parameter) {
     );
   }
   if (parameter.triple) return triple(parameter);
-  return parameter.integer ? whole(parameter) : number(parameter);
+  return parameter.integer ? whole(number(parameter)) : number(parameter);
 }
 
 /** @param {Model[]} models @returns {Record<string, Field>} */

@@ -67,6 +67,18 @@ export function list(options) {
   };
 }
 
+/** Of a number's field, only the whole ones. @param {Field} field @returns {Field} */
+export function whole(field) {
+  return {
+    ...field,
+    parse(text) {
+      const value = field.parse(text);
+      if (!Number.isInteger(value)) throw new LinkError("allowed is a whole number");
+      return value;
+    },
+  };
+}
+
 /** One of some ids or none. @param {string[]} options @returns {Field} */
 export function optional(options) {
   return {

@@ -1,11 +1,9 @@
 /** The panel of the Albedo view: the figure, the media, what is drawn, the fits. */
 
 import { createChoice } from "../controls/choice.js";
-import { createMedia } from "../controls/media.js";
-import { createRow } from "../controls/row.js";
+import { createInterface } from "../controls/interface.js";
 import { createSheet } from "../controls/sheet.js";
 import { h } from "../dom.js";
-import { plain } from "../format.js";
 import { createChooser } from "./chooser.js";
 import { chosenFits, isMetal } from "./fields.js";
 
@@ -21,9 +19,6 @@ const MANNERS = {
   n_t: { label: "second index", range: [0.1, 4], wide: [0.01, 20] },
   k_t: { label: "extinction", range: [0, 8], wide: [0, 20] },
 };
-const STEPS = { step: 0.01, fine: 0.001, page: 0.1 };
-/** A value of one's own is no preset any more. @type {Record<string, string>} */
-const PRESETS = { n_i: "incident", n_t: "material", k_t: "material" };
 /** Where the figures of metals start when the interface at hand is none. */
 const FIRST_K = 3;
 
@@ -36,37 +31,14 @@ const FIRST_K = 3;
  * @param {() => Promise<void>} options.describeMedia
  */
 export function createControls({ catalog, presets, state, actions, describeMedia }) {
-  const rows = Object.entries(MANNERS).flatMap(([name, manner]) => {
-    const parameter = catalog.parameters.find((p) => p.name === name);
-    if (!parameter) return [];
-    const row = createRow({
-      parameter,
-      prefix: "albedo-",
-      preset: presets[name],
-      ...manner,
-      steps: STEPS,
-      onChange: (value, moving) =>
-        actions.set(
-          { [name]: value, [/** @type {string} */ (PRESETS[name])]: null },
-          { history: moving ? "replace" : "push" },
-        ),
-      onSettle: actions.settle,
-    });
-    return [{ name, symbol: parameter.symbol, row, print: () => plain(state()[name], 4) }];
-  });
-
-  const media = createMedia({
-    materials: catalog.materials,
-    describe: describeMedia,
+  const { rows, media } = createInterface({
+    catalog,
+    presets,
+    state,
     actions,
     prefix: "albedo-",
-    onPick(side, id) {
-      if (catalog.materials.some((m) => m.id === id)) actions.set({ [side]: id });
-    },
-    onSwap() {
-      const { n_i, n_t, incident, material } = state();
-      actions.set({ n_i: n_t, n_t: n_i, incident: material, material: incident });
-    },
+    manners: MANNERS,
+    describeMedia,
   });
 
   const surface = createChoice({

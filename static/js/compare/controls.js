@@ -1,18 +1,16 @@
 /** The panel of the Compare view: media, indices, models and their parameters. */
 
 import { createChoice } from "../controls/choice.js";
-import { createMedia } from "../controls/media.js";
+import { createInterface } from "../controls/interface.js";
 import { createParameters } from "../controls/parameters.js";
-import { createRow } from "../controls/row.js";
 import { createSheet } from "../controls/sheet.js";
 import { h, setText } from "../dom.js";
-import { plain } from "../format.js";
 import { createChooser } from "./chooser.js";
 
 /**
  * @typedef {import('../types.js').Catalog} Catalog
  * @typedef {import('../types.js').State} State
- * @typedef {Pick<import('../controls/row.js').RowOptions, 'label' | 'range' | 'wide'>} Manner
+ * @typedef {import('../controls/interface.js').Manner} Manner
  */
 
 /** The ranges of d'Eon's conductor comparison; "more" goes beyond them. @type {Record<string, Manner>} */
@@ -21,9 +19,6 @@ const MANNERS = {
   n_t: { label: "second index", range: [0.1, 5], wide: [0.1, 10] },
   k_t: { label: "extinction", range: [0, 5], wide: [0, 20] },
 };
-const STEPS = { step: 0.01, fine: 0.001, page: 0.1 };
-/** A value of one's own is no preset any more. @type {Record<string, string>} */
-const PRESETS = { n_i: "incident", n_t: "material", k_t: "material" };
 
 /**
  * @param {object} options
@@ -35,37 +30,14 @@ const PRESETS = { n_i: "incident", n_t: "material", k_t: "material" };
  * @param {() => Promise<void>} options.describeMedia
  */
 export function createControls({ catalog, presets, state, actions, family, describeMedia }) {
-  const rows = Object.entries(MANNERS).flatMap(([name, manner]) => {
-    const parameter = catalog.parameters.find((p) => p.name === name);
-    if (!parameter) return [];
-    const row = createRow({
-      parameter,
-      prefix: "compare-",
-      preset: presets[name],
-      ...manner,
-      steps: STEPS,
-      onChange: (value, moving) =>
-        actions.set(
-          { [name]: value, [/** @type {string} */ (PRESETS[name])]: null },
-          { history: moving ? "replace" : "push" },
-        ),
-      onSettle: actions.settle,
-    });
-    return [{ name, symbol: parameter.symbol, row, print: () => plain(state()[name], 4) }];
-  });
-
-  const media = createMedia({
-    materials: catalog.materials,
-    describe: describeMedia,
+  const { rows, media } = createInterface({
+    catalog,
+    presets,
+    state,
     actions,
     prefix: "compare-",
-    onPick(side, id) {
-      if (catalog.materials.some((m) => m.id === id)) actions.set({ [side]: id });
-    },
-    onSwap() {
-      const { n_i, n_t, incident, material } = state();
-      actions.set({ n_i: n_t, n_t: n_i, incident: material, material: incident });
-    },
+    manners: MANNERS,
+    describeMedia,
   });
 
   const members = h("input", {

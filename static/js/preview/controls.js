@@ -1,7 +1,7 @@
 /** The panel of the Preview view: media, what stands on either side and how it is evaluated, the scene. */
 
 import { createChoice } from "../controls/choice.js";
-import { createMedia } from "../controls/media.js";
+import { createInterface } from "../controls/interface.js";
 import { createParameters } from "../controls/parameters.js";
 import { createRow } from "../controls/row.js";
 import { createSheet } from "../controls/sheet.js";
@@ -24,11 +24,9 @@ const MANNERS = {
   n_t: { label: "second index", range: [1, 3], wide: [0.1, 10] },
   k_t: { label: "extinction", range: [0, 5], wide: [0, 20] },
 };
-/** A value of one's own is no preset any more. @type {Record<string, string>} */
-const PRESETS = { n_i: "incident", n_t: "material", k_t: "material" };
 
 /** @param {Model} model */
-const isTrap = ({ title }) => /\(trap\)/.test(title);
+const isTrap = ({ trap }) => trap === true;
 
 /** @param {Model[]} models @param {string} label @param {(id: string) => void} onPick */
 function modelSelect(models, label, onPick) {
@@ -63,34 +61,13 @@ function modelSelect(models, label, onPick) {
  * @param {Actions} options.actions
  */
 export function createControls({ catalog, presets, state, actions }) {
-  const rows = Object.entries(MANNERS).flatMap(([name, manner]) => {
-    const parameter = catalog.parameters.find((p) => p.name === name);
-    if (!parameter) return [];
-    const row = createRow({
-      parameter,
-      prefix: "preview-",
-      preset: presets[name],
-      ...manner,
-      steps: { step: 0.01, fine: 0.001, page: 0.1 },
-      onChange: (value, moving) =>
-        actions.set(
-          { [name]: value, [/** @type {string} */ (PRESETS[name])]: null },
-          { history: moving ? "replace" : "push" },
-        ),
-      onSettle: actions.settle,
-    });
-    return [{ name, symbol: parameter.symbol, row, print: () => plain(state()[name], 4) }];
-  });
-
-  const media = createMedia({
-    materials: catalog.materials,
+  const { rows, media } = createInterface({
+    catalog,
+    presets,
+    state,
     actions,
     prefix: "preview-",
-    onPick: (side, id) => actions.set({ [side]: id }),
-    onSwap() {
-      const { n_i, n_t, incident, material } = state();
-      actions.set({ n_i: n_t, n_t: n_i, incident: material, material: incident });
-    },
+    manners: MANNERS,
   });
 
   const sides = SIDES.map((side) => {

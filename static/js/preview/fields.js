@@ -2,7 +2,7 @@
 
 import { parameterFields } from "../model-parameters.js";
 import { snippetFields } from "../snippets/fields.js";
-import { choice, LinkError, number } from "../state.js";
+import { choice, LinkError, number, whole } from "../state.js";
 import { tableFields } from "../tables/fields.js";
 
 /**
@@ -33,18 +33,6 @@ function hex(preset) {
       return `#${text.replace("#", "").toLowerCase()}`;
     },
     print: (value) => value.slice(1),
-  };
-}
-
-/** @param {Field} field @returns {Field} */
-function whole(field) {
-  return {
-    ...field,
-    parse(text) {
-      const value = field.parse(text);
-      if (!Number.isInteger(value)) throw new LinkError("allowed is a whole number");
-      return value;
-    },
   };
 }
 

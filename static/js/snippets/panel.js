@@ -4,7 +4,8 @@ import { copyText, flash } from "../clipboard.js";
 import { createChoice } from "../controls/choice.js";
 import { h, setText } from "../dom.js";
 import { loadStyle } from "../style.js";
-import { codeOf, LANGUAGES, snippetPath } from "./fields.js";
+import { createModelChoice } from "./choice.js";
+import { LANGUAGES, snippetPath } from "./fields.js";
 
 /**
  * @typedef {import('../types.js').Model} Model
@@ -28,11 +29,10 @@ const CHECKED = {
  * @param {(name: string, blob: Blob) => void} options.save
  */
 export function createSnippets({ models, actions, say, save }) {
-  const titles = new Map(models.map((m) => [m.id, m.title]));
-  const model = h("select", {
-    class: "preset",
-    "aria-label": "Model whose code is shown",
-    onchange: () => actions.set({ code: model.value }),
+  const model = createModelChoice({
+    models,
+    label: "Model whose code is shown",
+    actions,
   });
   const language = createChoice({
     legend: "Language",
@@ -93,7 +93,7 @@ export function createSnippets({ models, actions, say, save }) {
     h(
       "div",
       { class: "snippet-controls" },
-      h("span", { class: "picker" }, model),
+      h("span", { class: "picker" }, model.element),
       language.element,
       channels.element,
     ),
@@ -111,14 +111,7 @@ export function createSnippets({ models, actions, say, save }) {
      * @param {{title: string, lines: string[]} | undefined} problem
      */
     update(now, offered, answer, problem) {
-      const ids = offered.join();
-      if (model.dataset.ids !== ids) {
-        model.dataset.ids = ids;
-        model.replaceChildren(
-          ...offered.map((id) => h("option", { value: id }, titles.get(id) ?? id)),
-        );
-      }
-      model.value = codeOf(now, offered);
+      model.update(now, offered);
       language.update([now.language]);
       channels.update([now.channels]);
       channels.element.hidden = now.language === "python"; // arrays broadcast

@@ -4,6 +4,7 @@ import { createChoice } from "../controls/choice.js";
 import { h, setText } from "../dom.js";
 import { plain } from "../format.js";
 import { createPlot } from "../plots.js";
+import { createModelChoice } from "../snippets/choice.js";
 import { codeOf } from "../snippets/fields.js";
 import { loadStyle } from "../style.js";
 import { DEPTHS, pickedSize, SIZES } from "./fields.js";
@@ -40,11 +41,10 @@ const scientific = (value) =>
  * @param {{set: (patch: State) => void}} options.actions
  */
 export function createTables({ parent, catalog, actions }) {
-  const titles = new Map(catalog.models.map((m) => [m.id, m.title]));
-  const model = h("select", {
-    class: "preset",
-    "aria-label": "Model that is tabulated",
-    onchange: () => actions.set({ code: model.value }),
+  const model = createModelChoice({
+    models: catalog.models,
+    label: "Model that is tabulated",
+    actions,
   });
   const size = h(
     "select",
@@ -71,7 +71,7 @@ export function createTables({ parent, catalog, actions }) {
     h(
       "div",
       { class: "table-controls" },
-      h("span", { class: "picker" }, model),
+      h("span", { class: "picker" }, model.element),
       h("span", { class: "picker" }, size),
       bits.element,
     ),
@@ -120,15 +120,8 @@ export function createTables({ parent, catalog, actions }) {
      * @param {{title: string, lines: string[]} | undefined} problem
      */
     update(now, offered, answer, problem) {
-      const ids = offered.join();
-      if (model.dataset.ids !== ids) {
-        model.dataset.ids = ids;
-        model.replaceChildren(
-          ...offered.map((id) => h("option", { value: id }, titles.get(id) ?? id)),
-        );
-      }
       const id = codeOf(now, offered);
-      model.value = id;
+      model.update(now, offered);
       size.value = now.table_size;
       bits.update([now.bits]);
       setText(wrong, problem ? problem.lines.join(" · ") || problem.title : "");
