@@ -36,11 +36,11 @@ def mean_ms(port: int, path: str, numbers: Iterator[float], requests: int = REQU
 def main(application: str = "app.main:create_app") -> None:
     """Print the times and their ratios, medians of the rounds."""
     numbers = (1.2 + 1e-6 * i for i in itertools.count())
-    with served(*under_uvicorn(application, "--factory")) as port:
-        cold = mean_ms(port, MAP, iter([1.7]), requests=1)
-        repeated = mean_ms(port, MAP, itertools.repeat(1.7))
+    with served(*under_uvicorn(application, "--factory")) as server:
+        cold = mean_ms(server.port, MAP, iter([1.7]), requests=1)
+        repeated = mean_ms(server.port, MAP, itertools.repeat(1.7))
         rounds = [
-            [mean_ms(port, path, numbers) for path in (CURVES, SWEEP, FITTED)]
+            [mean_ms(server.port, path, numbers) for path in (CURVES, SWEEP, FITTED)]
             for _ in range(ROUNDS)
         ]
     curves, sweep, fitted = (statistics.median(column) for column in zip(*rounds, strict=True))

@@ -42,13 +42,13 @@ def main() -> None:
     pythons = [sys.executable, *filter(None, [os.environ.get("PLAIN_PYTHON")])]
     same = TARGET.format(n_t=1.5)
     with ExitStack() as stack:
-        ours = stack.enter_context(served(*OURS))
+        ours = stack.enter_context(served(*OURS)).port
         folder = stack.enter_context(tempfile.TemporaryDirectory())
         body = Path(folder) / "body"
         body.write_bytes(urlopen(f"http://127.0.0.1:{ours}{same}").read())
         bare = stack.enter_context(
             served(*under_uvicorn("benchmarks.bare_service:app"), BENCHMARK_BODY=str(body))
-        )
+        ).port
         asked: dict[str, tuple[int, Iterator[str]]] = {
             "ours, cached": (ours, itertools.repeat(same)),
             "bare ASGI": (bare, itertools.repeat("/")),
@@ -57,7 +57,7 @@ def main() -> None:
         for python in pythons:
             port = stack.enter_context(
                 served(*under_uvicorn("benchmarks.plain_service:app"), python=python)
-            )
+            ).port
             version = fastapi_of(python)
             asked[f"plain, FastAPI {version}, model"] = port, different(PLAIN)
             asked[f"plain, FastAPI {version}, dict"] = port, different(PLAIN_DICT)

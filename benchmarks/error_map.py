@@ -36,12 +36,12 @@ def main(application: str = "app.main:create_app") -> None:
         "/errors/sweep, 201 steps": SWEEP,
         "/recommend, every model": RECOMMEND,
     }
-    with served(*under_uvicorn(application, "--factory")) as port:
+    with served(*under_uvicorn(application, "--factory")) as server:
         rounds = [
             {
-                "curves": mean_ms(port, CURVES, numbers, REQUESTS),
-                **{name: mean_ms(port, path, numbers, 3) for name, path in MAPS.items()},
-                **{name: mean_ms(port, path, numbers, 5) for name, path in others.items()},
+                "curves": mean_ms(server.port, CURVES, numbers, REQUESTS),
+                **{name: mean_ms(server.port, path, numbers, 3) for name, path in MAPS.items()},
+                **{name: mean_ms(server.port, path, numbers, 5) for name, path in others.items()},
             }
             for _ in range(ROUNDS)
         ]

@@ -2,65 +2,23 @@
 
 from __future__ import annotations
 
-import contextlib
 import http.client
 import io
 import json
-import os
-import re
-import socket
 import statistics
-import subprocess
-import sys
 import time
-from collections.abc import Callable, Iterator
-from pathlib import Path
+from collections.abc import Callable
 
 import numpy as np
 import pyarrow as pa
+
+from benchmarks.load import OURS, served
 
 SIZES = (10_000, 100_000, 1_000_000)
 ROUNDS = 5
 ARROW = "application/vnd.apache.arrow.stream"
 BARS = {"JSON": 1.5e6, "Arrow": 8e6}
 MEMORY_BAR_MB = 400.0
-
-
-@contextlib.contextmanager
-def server() -> Iterator[tuple[int, int]]:
-    """Run the program with one worker; its port and process."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port: int = probe.getsockname()[1]
-    command = [
-        sys.executable,
-        "-c",
-        "from app.cli import main; main()",
-        "serve",
-        "--port",
-        str(port),
-    ]
-    with subprocess.Popen(
-        command, stdout=subprocess.DEVNULL, env=os.environ | {"PYTHONPATH": "."}
-    ) as process:
-        try:
-            for _ in range(300):
-                with contextlib.suppress(OSError), socket.create_connection(("127.0.0.1", port)):
-                    break
-                time.sleep(0.1)
-            yield port, process.pid
-        finally:
-            process.terminate()
-            process.wait()
-
-
-def memory_mb(process: int, field: str) -> float:
-    """Memory of a process in MB: VmRSS is now, VmHWM the most there was."""
-    status = Path(f"/proc/{process}/status").read_text("utf-8")
-    found = re.search(rf"^{field}:\s+(\d+) kB", status, re.MULTILINE)
-    if found is None:
-        raise SystemExit(f"no {field} in /proc/{process}/status")
-    return int(found[1]) * 1024 / 1e6
 
 
 def rays(count: int) -> dict[str, np.ndarray]:
@@ -131,10 +89,10 @@ def main() -> None:
     for name, (make, kind) in CASES.items():
         for size in SIZES:
             body = make(size)
-            with server() as (port, process):
-                seconds(port, make(1000), kind)
-                times = [seconds(port, body, kind) for _ in range(ROUNDS)]
-                peak = memory_mb(process, "VmHWM")
+            with served(*OURS) as server:
+                seconds(server.port, make(1000), kind)
+                times = [seconds(server.port, body, kind) for _ in range(ROUNDS)]
+                peak = server.memory_mb("VmHWM")
             bar = BARS.get(name.partition(",")[0]) if size == SIZES[-1] else None
             note = f"  (bars: {bar / 1e6:g} million, {MEMORY_BAR_MB:g} MB)" if bar else ""
             print(f"{name:28}{size:10}{size / statistics.median(times):12.0f}{peak:9.0f}{note}")

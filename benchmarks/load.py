@@ -5,11 +5,14 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import os
+import re
 import socket
 import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
 from typing import cast
 
 CONNECTIONS = 4
@@ -19,14 +22,30 @@ OURS = ("-c", "from app.cli import main; main()", "serve", "--port")
 """Arguments of Python that serve this program as its command does, on the port that follows."""
 
 
+@dataclass(frozen=True)
+class Server:
+    """A server under measurement: the port it listens on and its process."""
+
+    port: int
+    process: int
+
+    def memory_mb(self, field: str) -> float:
+        """Memory of the process in MB: VmRSS is now, VmHWM the most there was."""
+        status = Path(f"/proc/{self.process}/status").read_text("utf-8")
+        found = re.search(rf"^{field}:\s+(\d+) kB", status, re.MULTILINE)
+        if found is None:
+            raise SystemExit(f"no {field} in the status of process {self.process}")
+        return int(found[1]) * 1024 / 1e6
+
+
 def under_uvicorn(application: str, *options: str) -> tuple[str, ...]:
     """Arguments of Python that serve another application, on the port that follows."""
     return ("-m", "uvicorn", application, *options, "--log-level", "warning", "--port")
 
 
 @contextlib.contextmanager
-def served(*arguments: str, python: str = sys.executable, **environment: str) -> Iterator[int]:
-    """Run a server with one worker and yield its port."""
+def served(*arguments: str, python: str = sys.executable, **environment: str) -> Iterator[Server]:
+    """Run a server with one worker."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port: int = probe.getsockname()[1]
@@ -37,7 +56,7 @@ def served(*arguments: str, python: str = sys.executable, **environment: str) ->
             with contextlib.suppress(OSError), socket.create_connection(("127.0.0.1", port)):
                 break
             time.sleep(0.1)
-        yield port
+        yield Server(port, server.pid)
     finally:
         server.terminate()
         server.wait()

@@ -143,8 +143,8 @@ async def run(port: int) -> None:
 
 def main() -> None:
     """Serve the application with one worker and measure it."""
-    with served(*OURS) as port:
-        asyncio.run(run(port))
+    with served(*OURS) as server:
+        asyncio.run(run(server.port))
 
 
 if __name__ == "__main__":

@@ -42,7 +42,7 @@ const FOUND_BY = "/materials?fields=id,aliases,source";
 const ANSWER_DUE = 80; // ms that a picture in motion waits for its answer
 const PAGE_ANGLE = 64; // where the page starts: R, Rs and Rp are well apart
 const SAY_AFTER = 900; // ms of rest before the numbers are spoken
-const KEEP_AFTER = 3000; // ms until what is needed offline is kept: it must not slow down the start
+const KEEP_AFTER = 3000; // ms at rest until what is needed offline is kept: fetching it all slows down a drag
 
 /** @param {Catalog} catalog @returns {Record<string, import('./state.js').Field>} the state that all views share */
 function sharedFields({ parameters, materials }) {
@@ -245,14 +245,20 @@ async function start() {
   let keeper = null;
   const onScreen = () => Object.values(answers.asked ?? {}).map((path) => `${BASE}${path}`);
 
-  setTimeout(async () => {
+  async function keep() {
+    stopWaiting();
     if (state.get().embed) return; // it is a guest there
     const offline = await import("./offline.js");
     await offline.keepPage();
     keeper = offline;
     const start = ["/parameters", MODELS, MATERIALS].map((path) => `${BASE}${path}`);
     await keeper.keepAnswers([...start, ...onScreen()]);
-  }, KEEP_AFTER);
+  }
+  let resting = setTimeout(keep, KEEP_AFTER);
+  const stopWaiting = state.subscribe(() => {
+    clearTimeout(resting);
+    resting = setTimeout(keep, KEEP_AFTER);
+  });
 
   /** @param {string} name */
   function runner(name) {

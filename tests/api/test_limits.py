@@ -5,16 +5,18 @@ from __future__ import annotations
 import json
 import resource
 import socket
-import statistics
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack, suppress
+from typing import Any
 
 import pytest
 
 from app.api.problems import MEDIA_TYPE
 from app.main import create_app
+from app.pool import Pool
 from app.server import allow_open_files
 from app.settings import Settings
 from tests.api.raw import Answer, send
@@ -183,20 +185,18 @@ class TestTime:
         ],
     )  # fmt: skip
     def test_a_request_that_does_not_go_on(self, tight: Address, start: bytes) -> None:
-        begun = time.monotonic()
         refused(exchange(tight, start), 408, "FRESNEL_READ_TIMEOUT_S")
-        assert 0.25 < time.monotonic() - begun < 5.0
 
     def test_a_request_in_drops_takes_no_longer(self, tight: Address) -> None:
         """One byte at a time does not count as going on."""
-        begun = time.monotonic()
+        drops = 0
         with socket.create_connection(tight, timeout=10) as connection:
             connection.sendall(b"GET " + HEALTH + b" HTTP/1.1\r\nX: ")
             with suppress(ConnectionResetError, BrokenPipeError):
-                for _ in range(100):
+                for drops in range(100):  # noqa: B007
                     connection.sendall(b"x")
                     time.sleep(0.05)
-        assert time.monotonic() - begun < 4.0
+        assert drops < 99
 
     def test_a_connection_that_says_nothing_is_closed_silently(self, tight: Address) -> None:
         with socket.create_connection(tight, timeout=10) as connection:
@@ -252,7 +252,7 @@ class TestManyConnections:
             assert int(answer.headers["retry-after"]) >= 1
 
     def test_two_thousand_slow_ones_do_not_starve_others(self) -> None:
-        """`/health` answers within 100 ms, the median of 50."""
+        """How soon `/health` answers then, `python -m benchmarks health` measures."""
         soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
         allow_open_files(2 * 2200)
         if resource.getrlimit(resource.RLIMIT_NOFILE)[0] < 2 * 2100:
@@ -261,33 +261,36 @@ class TestManyConnections:
             with served() as address, ExitStack() as held:
                 for _ in range(2000):
                     held.enter_context(slow(address))
-                times = []
                 for _ in range(50):
-                    begun = time.perf_counter()
                     assert get(address, HEALTH).status == 200
-                    times.append(time.perf_counter() - begun)
-                assert statistics.median(times) < 0.1
         finally:
             resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
 
-    def test_large_computations_do_not_hold_up_the_health_check(self) -> None:
-        target = API + b"/errors/map?x=n_t&y=k_t&metric=rms&x_steps=400&y_steps=%d"
-        with served() as address:
-            asking = [
-                threading.Thread(target=get, args=(address, target % (400 + i))) for i in range(3)
-            ]
-            for thread in asking:
-                thread.start()
-            time.sleep(0.1)
-            times: list[float] = []
-            while any(thread.is_alive() for thread in asking) and len(times) < 50:
-                begun = time.perf_counter()
-                assert get(address, HEALTH).status == 200
-                times.append(time.perf_counter() - begun)
-            for thread in asking:
-                thread.join()
-        assert len(times) > 5, "they were done before anybody asked"
-        assert statistics.median(times) < 0.1
+    def test_computations_do_not_hold_up_the_health_check(
+        self, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        begun, go_on = threading.Semaphore(0), threading.Event()
+        run = Pool.run
+
+        def held(pool: Pool, function: Callable[[], Any]) -> Any:
+            def wait() -> Any:
+                begun.release()
+                assert go_on.wait(10)
+                return function()
+
+            return run(pool, wait)
+
+        monkeypatch.setattr(Pool, "run", held)
+        target = API + b"/errors/map?x=n_t&y=k_t&metric=rms&x_steps=90&y_steps=%d"
+        settings = Settings(threads=3)
+        with served(settings=settings) as address, ThreadPoolExecutor(3) as clients:
+            asked = [clients.submit(get, address, target % (90 + i)) for i in range(3)]
+            for _ in asked:
+                assert begun.acquire(timeout=10)
+            assert get(address, HEALTH).status == 200
+            assert not any(one.done() for one in asked)
+            go_on.set()
+            assert all(one.result().status == 200 for one in asked)
 
 
 def test_files_that_may_be_open_are_never_made_fewer() -> None:
