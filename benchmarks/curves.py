@@ -21,6 +21,7 @@ from benchmarks.load import OURS, rate, served, under_uvicorn
 ROUNDS = 7
 REQUESTS = 400
 TARGET = "/api/v1/curves?models=exact,schlick,lagarde_gc&samples=181&n_t={n_t:.9f}"
+BARE = "/curves?n_t={n_t:.9f}"
 PLAIN = "/curves?samples=181&n_t={n_t:.9f}"
 PLAIN_DICT = "/curves/dict?samples=181&n_t={n_t:.9f}"
 CACHED_BAR, FRESH_BAR = 0.6, 4.0
@@ -53,6 +54,7 @@ def main() -> None:
             "ours, cached": (ours, itertools.repeat(same)),
             "bare ASGI": (bare, itertools.repeat("/")),
             "ours, fresh": (ours, different(TARGET)),
+            "bare ASGI, NumPy, orjson": (bare, different(BARE)),
         }
         for python in pythons:
             port = stack.enter_context(
@@ -79,6 +81,7 @@ def main() -> None:
     row("ours, cached")
     row("bare ASGI", "ours, cached", f" (bar: {CACHED_BAR:g})")
     row("ours, fresh")
+    row("bare ASGI, NumPy, orjson", "ours, fresh")
     for name in asked:
         if name.startswith("plain"):
             row(name, "ours, fresh", f" (bar: {FRESH_BAR:g})")

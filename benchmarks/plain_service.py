@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 from fastapi import FastAPI
+from numpy.typing import NDArray
 from pydantic import BaseModel
 
 app = FastAPI()
@@ -33,9 +34,10 @@ class Curves(BaseModel):
     curves: list[Curve]
 
 
-@app.get("/curves")
-def curves(n_i: float = 1.0, n_t: float = 1.5, k_t: float = 0.0, samples: int = 181) -> Curves:
-    """Compute Rs, Rp, R, T, Schlick and its error by the textbook formulas."""
+def textbook(
+    n_i: float, n_t: float, k_t: float, samples: int
+) -> tuple[NDArray[np.float64], dict[str, NDArray[np.float64]]]:
+    """Angles, and six curves over them by the shortest formulas."""
     theta_i_deg = np.linspace(0.0, 90.0, samples)
     mu, sin2 = np.cos(np.radians(theta_i_deg)), np.sin(np.radians(theta_i_deg)) ** 2
     index = n_t + 1j * k_t
@@ -46,6 +48,13 @@ def curves(n_i: float = 1.0, n_t: float = 1.5, k_t: float = 0.0, samples: int = 
     F0 = ((n_t - n_i) ** 2 + k_t**2) / ((n_t + n_i) ** 2 + k_t**2)
     schlick = F0 + (1.0 - F0) * (1.0 - mu) ** 5
     quantities = {"R": R, "Rs": Rs, "Rp": Rp, "T": 1.0 - R, "schlick": schlick, "again": R}
+    return theta_i_deg, quantities
+
+
+@app.get("/curves")
+def curves(n_i: float = 1.0, n_t: float = 1.5, k_t: float = 0.0, samples: int = 181) -> Curves:
+    """Answer with a model."""
+    theta_i_deg, quantities = textbook(n_i, n_t, k_t, samples)
     return Curves(
         n_i=n_i,
         n_t=n_t,
