@@ -14,7 +14,11 @@ The last form has the fewest operations, and the squares of its factors are real
     |c q \pm s^2|^2 = c^2 |q|^2 + s^4 \pm 2 c s^2\,\mathrm{Re}\,q,
 
 of which only the difference can cancel: where absorption is weak, it is taken from the product
-:math:`(c q - s^2)(c q + s^2) = N^2 c^2 - s^2` instead.
+:math:`(c q - s^2)(c q + s^2) = N^2 c^2 - s^2` instead. Unpolarized light needs but their sum,
+
+.. math::
+    R = \frac{R_s + R_p}{2} = \frac{|N^2 - 1|^2}{|c + q|^4}\,
+        \frac{c^2 |q|^2 + s^4}{|c q + s^2|^2}.
 
 Convention: time factor exp(-i w t), k_t >= 0, r_p = -r_s at normal incidence.
 
@@ -76,15 +80,11 @@ class Amplitudes:
 class Power:
     """Power coefficients, all within 0 and 1; R and T are those of unpolarized light."""
 
+    R: Array
     Rs: Array
     Rp: Array
     Ts: Array
     Tp: Array
-
-    @property
-    def R(self) -> Array:
-        """Reflectance of unpolarized light, (Rs + Rp) / 2."""
-        return np.asarray(0.5 * (self.Rs + self.Rp))
 
     @property
     def T(self) -> Array:
@@ -219,7 +219,7 @@ def power(interface: Interface, incidence: Incidence) -> Power:
 
 
 def reflectance(interface: Interface, incidence: Incidence) -> Array:
-    """Reflectance R of unpolarized light, the very R of `power`, without the work for Ts and Tp."""
+    """Reflectance R of unpolarized light, the very R of `power`, without the work for the rest."""
     (R,) = in_blocks(_reflectance, interface, incidence)
     return R
 
@@ -231,11 +231,10 @@ class _Terms(NamedTuple):
     ----------
     a
         Re q.
-    den_s, den_p
-        |c + q|^2 and |c q + s^2|^2, multiplied out into sums in which nothing cancels; their product
-        is |N^2 c + q|^2.
-    null
-        |c q - s^2|^2, which vanishes at Brewster's angle.
+    den_s
+        |c + q|^2, multiplied out into a sum in which nothing cancels.
+    even, odd
+        |c q|^2 + s^4 and 2 c s^2 Re q: their sum is |c q + s^2|^2, their difference |c q - s^2|^2.
     abs2
         |q|^2.
     total
@@ -244,8 +243,8 @@ class _Terms(NamedTuple):
 
     a: Array
     den_s: Array
-    den_p: Array
-    null: Array
+    even: Array
+    odd: Array
     abs2: Array
     total: NDArray[np.bool_]
 
@@ -253,47 +252,47 @@ class _Terms(NamedTuple):
 def _terms(interface: Interface, incidence: Incidence) -> _Terms:
     q, c, s = wave(interface, incidence), incidence.cos, incidence.sin
     c2, s2, double = c * c, s * s, 2.0 * c * q.a
-    even, odd = q.abs2 * c2 + s2 * s2, double * s2
-    den_s, den_p = c2 + double + q.abs2, even + odd
+    total = c == 0.0
+    if not everywhere(interface.absorbs_strongly):
+        total = total | ((q.a == 0.0) & (q.b > 0.0))
+    return _Terms(q.a, c2 + double + q.abs2, q.abs2 * c2 + s2 * s2, double * s2, q.abs2, total)
+
+
+def _reflectance(interface: Interface, incidence: Incidence) -> tuple[Array]:
+    return (_unpolarized(interface, _terms(interface, incidence)),)
+
+
+def _unpolarized(interface: Interface, terms: _Terms) -> Array:
+    """R = (Rs + Rp) / 2, where the two squares of Rp add up to 2 `even`: nothing cancels."""
+    contrast = _contrast(interface)
+    with np.errstate(invalid="ignore"):
+        R = contrast * terms.even / (terms.den_s * terms.den_s * (terms.even + terms.odd))
+    return _with_ends(R, contrast == 0.0, terms.total)
+
+
+def _powers(interface: Interface, incidence: Incidence) -> tuple[Array, ...]:
+    terms, c, s = _terms(interface, incidence), incidence.cos, incidence.sin
+    contrast, den_p = _contrast(interface), terms.even + terms.odd
 
     def careful() -> Array:
         # (c q - s^2) (c q + s^2) = N^2 c^2 - s^2
         real, imag = _brewster_null(interface, incidence)
         return (real * real + imag * imag) / den_p
 
-    null = choose(interface.absorbs_strongly, lambda: even - odd, careful)
-    total = c == 0.0
-    if not everywhere(interface.absorbs_strongly):
-        total = total | ((q.a == 0.0) & (q.b > 0.0))
-    return _Terms(q.a, den_s, den_p, np.asarray(null), q.abs2, total)
-
-
-def _reflected(interface: Interface, terms: _Terms) -> tuple[Array, Array]:
-    """Rs and Rp."""
-    contrast = _contrast(interface)
+    null = choose(interface.absorbs_strongly, lambda: terms.even - terms.odd, careful)
     with np.errstate(invalid="ignore", divide="ignore"):
         Rs = contrast / (terms.den_s * terms.den_s)
-        Rp = Rs * terms.null / terms.den_p
+        Rp = Rs * null / den_p
+        Ts = 4.0 * c * terms.a / terms.den_s
+        Tp = Ts * (terms.abs2 + s * s) / den_p
     none = contrast == 0.0
-    return _with_ends(Rs, none, terms.total), _with_ends(Rp, none, terms.total)
-
-
-def _reflectance(interface: Interface, incidence: Incidence) -> tuple[Array]:
-    Rs, Rp = _reflected(interface, _terms(interface, incidence))
-    return (np.asarray(0.5 * (Rs + Rp)),)
-
-
-def _powers(interface: Interface, incidence: Incidence) -> tuple[Array, Array, Array, Array]:
-    terms, s = _terms(interface, incidence), incidence.sin
-    with np.errstate(invalid="ignore", divide="ignore"):
-        Ts = 4.0 * incidence.cos * terms.a / terms.den_s
-        Tp = Ts * (terms.abs2 + s * s) / terms.den_p
-    one = _contrast(interface) == 0.0
-    zero = terms.total & ~np.asarray(one)
+    zero = terms.total & ~np.asarray(none)
     return (
-        *_reflected(interface, terms),
-        _with_ends(Ts, zero, one),
-        _with_ends(Tp, zero, one),
+        _unpolarized(interface, terms),
+        _with_ends(Rs, none, terms.total),
+        _with_ends(Rp, none, terms.total),
+        _with_ends(Ts, zero, none),
+        _with_ends(Tp, zero, none),
     )
 
 

@@ -60,6 +60,12 @@ def test_energy_is_conserved(interface: Interface, incidence: Incidence) -> None
 
 
 @given(interfaces, incidences)
+def test_R_is_the_mean_of_both_polarizations(interface: Interface, incidence: Incidence) -> None:
+    energy = power(interface, incidence)
+    assert isclose(float(energy.R), float(energy.Rs + energy.Rp) / 2.0, rel_tol=IDENTITY)
+
+
+@given(interfaces, incidences)
 def test_power_is_the_square_of_the_amplitude(interface: Interface, incidence: Incidence) -> None:
     energy, amplitude = power(interface, incidence), amplitudes(interface, incidence)
     assert isclose(abs(complex(amplitude.r_s)) ** 2, float(energy.Rs), rel_tol=IDENTITY)
