@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import csv
 import io
 import json
@@ -15,29 +14,13 @@ import numpy as np
 import pytest
 
 from app.api.albedo_schemas import AlbedoMapOut, AlbedoOut, CoatOut, FitOut, FitsOut, SweepOut
-from app.main import create_app
 from app.optics.albedo import FITS, albedo, coat_split, flatland_albedo
 from app.optics.interface import Interface
 
 GOLDEN = json.loads(
     (Path(__file__).parents[1] / "optics" / "reference" / "albedo.json").read_text("utf-8")
 )
-Get = Callable[..., httpx.Response]
-
-
-@pytest.fixture(scope="module")
-def get() -> Get:
-    app = create_app()
-
-    def ask(path: str, **parameters: Any) -> httpx.Response:
-        async def request() -> httpx.Response:
-            transport = httpx.ASGITransport(app=app)
-            async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
-                return await client.get(f"/api/v1{path}", params=parameters)
-
-        return asyncio.run(request())
-
-    return ask
+Ask = Callable[..., httpx.Response]
 
 
 def rows(answer: httpx.Response) -> list[dict[str, str]]:
@@ -47,15 +30,15 @@ def rows(answer: httpx.Response) -> list[dict[str, str]]:
 
 
 @pytest.mark.parametrize("row", GOLDEN["dielectric"] + GOLDEN["conductor"], ids=str)
-def test_exact_albedo(get: Get, row: dict[str, float]) -> None:
-    answer = get("/albedo", n_t=row["n"], k_t=row.get("k", 0.0)).json()
+def test_exact_albedo(ask: Ask, row: dict[str, float]) -> None:
+    answer = ask("/albedo", n_t=row["n"], k_t=row.get("k", 0.0)).json()
     AlbedoOut.model_validate(answer)
     for name in ("unpolarized", "s", "p"):
         assert answer["exact"][name] == pytest.approx(row[name], rel=1e-12)
 
 
-def test_every_fit_stands_beside_the_exact_value(get: Get) -> None:
-    answer = get("/albedo", n_t=1.5).json()
+def test_every_fit_stands_beside_the_exact_value(ask: Ask) -> None:
+    answer = ask("/albedo", n_t=1.5).json()
     assert [entry["id"] for entry in answer["approximations"]] == list(FITS)
     for entry in answer["approximations"]:
         fit, glass = FITS[entry["id"]], Interface(n_t=1.5)
@@ -70,9 +53,9 @@ def test_every_fit_stands_beside_the_exact_value(get: Get) -> None:
     assert answer["flatland"] == float(flatland_albedo(Interface(n_t=1.5)))
 
 
-def test_the_other_side(get: Get) -> None:
+def test_the_other_side(ask: Ask) -> None:
     """Internal diffuse reflectance, by reciprocity and by the fits made for it."""
-    answer = get("/albedo", n_t=1.5).json()
+    answer = ask("/albedo", n_t=1.5).json()
     outer, inner = answer["exact"]["unpolarized"], answer["reverse"]["exact"]
     assert inner["unpolarized"] == pytest.approx(1 - (1 - outer) / 1.5**2, rel=1e-14)
     assert inner["method"] == "closed form by reciprocity"
@@ -80,11 +63,11 @@ def test_the_other_side(get: Get) -> None:
     assert fits["egan_hilgeman_1973"]["in_domain"]
     assert abs(fits["egan_hilgeman_1973"]["error"]) < 1e-3
     assert not fits["deon_2019_log"]["in_domain"]
-    assert get("/albedo", n_t=0.2, k_t=3.0).json()["reverse"] is None
+    assert ask("/albedo", n_t=0.2, k_t=3.0).json()["reverse"] is None
 
 
-def test_models_are_averaged_on_request(get: Get) -> None:
-    answer = get("/albedo", n_t=1.5, models="schlick,exact", digits=17).json()
+def test_models_are_averaged_on_request(ask: Ask) -> None:
+    answer = ask("/albedo", n_t=1.5, models="schlick,exact", digits=17).json()
     schlick, exact = answer["models"]
     assert schlick["value"] == pytest.approx(0.04 + 0.96 / 21, rel=1e-12)
     assert schlick["error"] == pytest.approx(
@@ -93,43 +76,43 @@ def test_models_are_averaged_on_request(get: Get) -> None:
     assert exact["error"] == 0.0
 
 
-def test_a_model_with_three_colors(get: Get) -> None:
+def test_a_model_with_three_colors(ask: Ask) -> None:
     parameters = {"models": "f82_tint", "f82_tint.F0": "1.0,0.766,0.336", "f82_tint.tint": "1"}
-    answer = get("/albedo", n_t=0.2, k_t=3.0, **parameters).json()
+    answer = ask("/albedo", n_t=0.2, k_t=3.0, **parameters).json()
     expected = [F0 + (1 - F0) / 21 for F0 in (1.0, 0.766, 0.336)]
     assert answer["models"][0]["value"] == pytest.approx(expected, rel=1e-10)
-    table = get("/albedo", n_t=0.2, k_t=3.0, format="csv", **parameters)
+    table = ask("/albedo", n_t=0.2, k_t=3.0, format="csv", **parameters)
     assert float(rows(table)[0]["model.f82_tint.value_green"]) == pytest.approx(expected[1])
-    sweep = get("/albedo/sweep", steps=3, k_t=3.0, **parameters).json()
+    sweep = ask("/albedo/sweep", steps=3, k_t=3.0, **parameters).json()
     names = [curve["quantity"] for curve in sweep["curves"] if curve["kind"] == "model"]
     assert names == ["unpolarized_red", "unpolarized_green", "unpolarized_blue"]
 
 
-def test_one_interface_as_csv(get: Get) -> None:
-    (row,) = rows(get("/albedo", n_t=1.5, format="csv", digits=5, models="schlick"))
+def test_one_interface_as_csv(ask: Ask) -> None:
+    (row,) = rows(ask("/albedo", n_t=1.5, format="csv", digits=5, models="schlick"))
     assert row["exact.unpolarized"] == "0.091778"
     assert row["deon_2019_log.error"] == "0.0013228"
     assert row["large_k.value"] == ""  # -inf without absorption is no number
     assert row["model.schlick.value"] == "0.085714"
 
 
-def test_catalog_of_fits(get: Get) -> None:
-    answer = get("/albedo/fits").json()
+def test_catalog_of_fits(ask: Ask) -> None:
+    answer = ask("/albedo/fits").json()
     FitsOut.model_validate(answer)
     assert [entry["id"] for entry in answer["fits"]] == list(FITS)
-    second = get("/albedo/fits/deon_2019_rg").json()
+    second = ask("/albedo/fits/deon_2019_rg").json()
     FitOut.model_validate(second)
     assert second in answer["fits"]
     (claim,) = second["claims"]
     assert (claim["claimed"], claim["measured"], claim["holds"]) == (6e-5, 1.65e-4, False)
     assert claim["domain"] == {"kind": "conductor", "eta": [0.1, 4.0], "kappa": [1.7, 8.0]}
-    missing = get("/albedo/fits/deon_2019_gr")
+    missing = ask("/albedo/fits/deon_2019_gr")
     assert missing.status_code == 404
     assert "deon_2019_rg" in missing.json()["detail"]
 
 
-def test_sweep_over_n_t(get: Get) -> None:
-    answer = get(
+def test_sweep_over_n_t(ask: Ask) -> None:
+    answer = ask(
         "/albedo/sweep", minimum=1, maximum=4, steps=301, fits="deon_2019_log", flatland="true"
     ).json()
     SweepOut.model_validate(answer)
@@ -150,9 +133,9 @@ def test_sweep_over_n_t(get: Get) -> None:
 
 
 @pytest.mark.parametrize("over", ["n_t", "eta", "k_t"])
-def test_sweeps_hold_the_rest(get: Get, over: str) -> None:
+def test_sweeps_hold_the_rest(ask: Ask, over: str) -> None:
     fixed: dict[str, float] = {"n_t": 0.4} if over == "k_t" else {"k_t": 2.5}
-    answer = get(
+    answer = ask(
         "/albedo/sweep", over=over, n_i=1.33, minimum=0.5, maximum=3, steps=4, scale="log", **fixed
     ).json()
     values = np.geomspace(0.5, 3.0, 4)
@@ -168,26 +151,26 @@ def test_sweeps_hold_the_rest(get: Get, over: str) -> None:
     assert {name: answer[name] for name in fixed} == fixed
 
 
-def test_presets_stand_in_place_of_numbers(get: Get) -> None:
-    answer = get("/albedo", material="gold", incident="water").json()
+def test_presets_stand_in_place_of_numbers(ask: Ask) -> None:
+    answer = ask("/albedo", material="gold", incident="water").json()
     interface = Interface(*(answer["interface"][name] for name in ("n_i", "n_t", "k_t")))
     assert answer["exact"]["unpolarized"] == float(albedo(interface).unpolarized)
     assert answer["interface"]["material"]["id"] == "Au"
-    sweep = get("/albedo/sweep", incident="water", k_t=2.0, steps=3).json()
+    sweep = ask("/albedo/sweep", incident="water", k_t=2.0, steps=3).json()
     assert sweep["incident"]["id"] == "water"
     assert sweep["n_i"] == answer["interface"]["n_i"]
-    assert get("/albedo/sweep", n_i=1.33, steps=3).json()["incident"] is None
+    assert ask("/albedo/sweep", n_i=1.33, steps=3).json()["incident"] is None
 
 
-def test_a_sweep_outside_a_domain(get: Get) -> None:
-    answer = get("/albedo/sweep", k_t=0.5, steps=3, fits="deon_2019_rg,dunkle_1963_s").json()
+def test_a_sweep_outside_a_domain(ask: Ask) -> None:
+    answer = ask("/albedo/sweep", k_t=0.5, steps=3, fits="deon_2019_rg,dunkle_1963_s").json()
     assert [curve["in_domain"] for curve in answer["curves"]] == [None] * 5
     assert answer["curves"][4]["quantity"] == "s"
 
 
-def test_sweep_as_csv(get: Get) -> None:
+def test_sweep_as_csv(ask: Ask) -> None:
     table = rows(
-        get(
+        ask(
             "/albedo/sweep",
             minimum=1,
             maximum=2,
@@ -210,8 +193,8 @@ def test_sweep_as_csv(get: Get) -> None:
     }
 
 
-def test_map_of_a_fits_error(get: Get) -> None:
-    answer = get(
+def test_map_of_a_fits_error(ask: Ask) -> None:
+    answer = ask(
         "/albedo/map",
         fit="deon_2019_rg",
         n_i=1.33,
@@ -237,43 +220,43 @@ def test_map_of_a_fits_error(get: Get) -> None:
     assert answer["largest_in_domain"] == largest
 
 
-def test_map_shows_what_is_asked(get: Get) -> None:
+def test_map_shows_what_is_asked(ask: Ask) -> None:
     shape = {"n_steps": 3, "k_steps": 2}
-    exact = get("/albedo/map", quantity="s", **shape).json()
+    exact = ask("/albedo/map", quantity="s", **shape).json()
     assert (exact["fit"], exact["show"], exact["quantity"]) == (None, "exact", "s")
     assert exact["largest_in_domain"] is None
-    same = get("/albedo/map", fit="dunkle_1963_s", show="exact", **shape).json()
+    same = ask("/albedo/map", fit="dunkle_1963_s", show="exact", **shape).json()
     assert same["values"] == exact["values"]
-    value = get("/albedo/map", fit="dunkle_1963_s", show="value", **shape).json()
-    error = get("/albedo/map", fit="dunkle_1963_s", **shape).json()
+    value = ask("/albedo/map", fit="dunkle_1963_s", show="value", **shape).json()
+    error = ask("/albedo/map", fit="dunkle_1963_s", **shape).json()
     difference = np.array(value["values"]) - np.array(exact["values"])
     np.testing.assert_array_equal(error["values"], difference)
 
 
-def test_map_holds_null_where_a_fit_is_undefined(get: Get) -> None:
-    answer = get("/albedo/map", fit="large_k", n_steps=3, k_steps=3).json()
+def test_map_holds_null_where_a_fit_is_undefined(ask: Ask) -> None:
+    answer = ask("/albedo/map", fit="large_k", n_steps=3, k_steps=3).json()
     AlbedoMapOut.model_validate(answer)
     assert answer["values"][0] == [None] * 3  # k = 0
     assert answer["largest"]["k_t"] == 4.0
     assert answer["largest_in_domain"] is None
-    assert rows(get("/albedo/map", fit="large_k", n_steps=2, k_steps=2, format="csv"))[0] == {
+    assert rows(ask("/albedo/map", fit="large_k", n_steps=2, k_steps=2, format="csv"))[0] == {
         "n_t": "0.1",
         "k_t": "0.0",
         "error": "",
     }
 
 
-def test_coat(get: Get) -> None:
-    answer = get("/albedo/coat", n_t=1.5, body_albedo=0.8).json()
+def test_coat(ask: Ask) -> None:
+    answer = ask("/albedo/coat", n_t=1.5, body_albedo=0.8).json()
     CoatOut.model_validate(answer)
     split = coat_split(Interface(n_t=1.5), 0.8)
     for name in ("external", "internal", "surface", "body", "absorbed"):
         assert answer[name] == float(getattr(split, name))
     assert answer["theta_i_deg"] is None
-    ray = get("/albedo/coat", n_t=1.5, body_albedo=0.8, theta_i_deg=0).json()
+    ray = ask("/albedo/coat", n_t=1.5, body_albedo=0.8, theta_i_deg=0).json()
     assert ray["surface"] == pytest.approx(0.04, rel=1e-14)
     assert ray["internal"] == answer["internal"]
-    (row,) = rows(get("/albedo/coat", n_t=1.5, body_albedo=0.8, format="csv"))
+    (row,) = rows(ask("/albedo/coat", n_t=1.5, body_albedo=0.8, format="csv"))
     assert float(row["body"]) == answer["body"]
 
 
@@ -314,17 +297,17 @@ def test_coat(get: Get) -> None:
         ("/albedo/coat", {"theta_i_deg": 91}, "theta_i_deg"),
     ],
 )
-def test_refused(get: Get, path: str, parameters: dict[str, Any], named: str) -> None:
-    answer = get(path, **parameters)
+def test_refused(ask: Ask, path: str, parameters: dict[str, Any], named: str) -> None:
+    answer = ask(path, **parameters)
     assert answer.status_code == 422
     assert answer.headers["content-type"] == "application/problem+json"
     assert [error["parameter"] for error in answer.json()["errors"]] == [named]
 
 
-def test_answers_may_be_cached(get: Get) -> None:
+def test_answers_may_be_cached(ask: Ask) -> None:
     first, second = (
-        get("/albedo/map", n_steps=4, k_steps=4),
-        get("/albedo/map", n_steps=4, k_steps=4),
+        ask("/albedo/map", n_steps=4, k_steps=4),
+        ask("/albedo/map", n_steps=4, k_steps=4),
     )
     assert first.headers["etag"] == second.headers["etag"]
     assert "public" in first.headers["cache-control"]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import csv
 import io
 from collections.abc import Callable
@@ -12,26 +11,17 @@ import httpx
 import pytest
 
 from app.api.convert import ConvertOut
-from app.main import create_app
 from app.optics.color import decode_srgb
 
 Get = Callable[..., httpx.Response]
 
 
-@pytest.fixture(scope="module")
-def get() -> Get:
-    app = create_app()
+@pytest.fixture
+def get(ask: Callable[..., httpx.Response]) -> Get:
+    def get(**parameters: Any) -> httpx.Response:
+        return ask("/convert", **{name.rstrip("_"): value for name, value in parameters.items()})
 
-    def ask(**parameters: Any) -> httpx.Response:
-        async def request() -> httpx.Response:
-            transport = httpx.ASGITransport(app=app)
-            async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
-                query = {name.rstrip("_"): value for name, value in parameters.items()}
-                return await client.get("/api/v1/convert", params=query)
-
-        return asyncio.run(request())
-
-    return ask
+    return get
 
 
 def results(answer: httpx.Response) -> dict[str, dict[str, Any]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import csv
 import io
 from collections.abc import Callable
@@ -13,29 +12,13 @@ import numpy as np
 import pytest
 
 from app.api.error_schemas import ErrorMapOut, ErrorsOut, ErrorSweepOut
-from app.main import create_app
 from app.optics.interface import Interface
 from app.optics.metrics import METRICS, measure
 from app.optics.registry import default_registry
 
-Get = Callable[..., httpx.Response]
+Ask = Callable[..., httpx.Response]
 REGISTRY = default_registry()
 TRAPS = [model.id for model in REGISTRY.values() if "(trap)" in model.title]
-
-
-@pytest.fixture(scope="module")
-def get() -> Get:
-    app = create_app()
-
-    def ask(path: str, parameters: dict[str, Any] | None = None, **more: Any) -> httpx.Response:
-        async def request() -> httpx.Response:
-            transport = httpx.ASGITransport(app=app)
-            async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
-                return await client.get(f"/api/v1{path}", params={**(parameters or {}), **more})
-
-        return asyncio.run(request())
-
-    return ask
 
 
 def table(answer: httpx.Response) -> list[dict[str, str]]:
@@ -54,9 +37,9 @@ def problem(answer: httpx.Response) -> dict[str, str]:
 # One interface
 
 
-def test_errors_of_every_model(get: Get) -> None:
+def test_errors_of_every_model(ask: Ask) -> None:
     interface = Interface(1.0, 1.5, 5.0)
-    answer = get("/errors", models=",".join(REGISTRY), n_t=1.5, k_t=5.0, samples=7)
+    answer = ask("/errors", models=",".join(REGISTRY), n_t=1.5, k_t=5.0, samples=7)
     body = answer.json()
     ErrorsOut.model_validate(body)
     assert answer.headers["etag"]
@@ -74,10 +57,10 @@ def test_errors_of_every_model(get: Get) -> None:
     assert sizes == sorted(sizes)
 
 
-def test_the_error_curve_is_the_difference_of_the_curves(get: Get) -> None:
+def test_the_error_curve_is_the_difference_of_the_curves(ask: Ask) -> None:
     shared = {"n_t": 2.9, "k_t": 3.0, "samples": 31, "landmarks": "true"}
-    body = get("/errors", shared, models="schlick", relative="true").json()
-    answer = get("/curves", shared, models="exact,schlick").json()
+    body = ask("/errors", **shared, models="schlick", relative="true").json()
+    answer = ask("/curves", **shared, models="exact,schlick").json()
     values = {(c["model"], c["quantity"]): np.array(c["values"]) for c in answer["curves"]}
     exact, schlick = values["exact", "R"], values["schlick", "R"]
     (row,) = body["errors"]
@@ -86,54 +69,54 @@ def test_the_error_curve_is_the_difference_of_the_curves(get: Get) -> None:
     np.testing.assert_allclose(row["relative_error"], (schlick - exact) / exact, atol=1e-14)
 
 
-def test_solved_and_given_parameters_are_told(get: Get) -> None:
+def test_solved_and_given_parameters_are_told(ask: Ask) -> None:
     glass = {"models": "lazanyi2005", "n_t": 1.5, "k_t": 5.0}
-    (row,) = get("/errors", glass).json()["errors"]
+    (row,) = ask("/errors", **glass).json()["errors"]
     assert round(row["parameters"]["alpha"], 4) == 7.7054
     assert row["parameters"]["a"] == 3.0
-    (given,) = get("/errors", glass, **{"lazanyi2005.alpha": 7.7}).json()["errors"]
+    (given,) = ask("/errors", **glass, **{"lazanyi2005.alpha": 7.7}).json()["errors"]
     assert given["parameters"]["alpha"] == 7.7
     assert given["max_abs"] != row["max_abs"]
 
 
-def test_a_triple_has_three_rows(get: Get) -> None:
+def test_a_triple_has_three_rows(ask: Ask) -> None:
     asked = {"models": "hoffman_f82", "n_t": 0.27, "k_t": 2.9, "samples": 5}
-    body = get("/errors", asked, **{"hoffman_f82.F0": "1.0,0.8,0.4"}).json()
+    body = ask("/errors", **asked, **{"hoffman_f82.F0": "1.0,0.8,0.4"}).json()
     ErrorsOut.model_validate(body)
     rows = {row["quantity"]: row for row in body["errors"]}
     assert set(rows) == {"R_red", "R_green", "R_blue"}
     for quantity, F0 in (("R_red", 1.0), ("R_green", 0.8), ("R_blue", 0.4)):
-        (alone,) = get("/errors", asked, **{"hoffman_f82.F0": F0}).json()["errors"]
+        (alone,) = ask("/errors", **asked, **{"hoffman_f82.F0": F0}).json()["errors"]
         assert rows[quantity]["parameters"]["F0"] == F0
         assert rows[quantity]["error"] == alone["error"]
         for name in METRICS:
             assert rows[quantity][name] == pytest.approx(alone[name], rel=1e-12)
 
 
-def test_undefined_figures_are_null_and_last(get: Get) -> None:
-    body = get("/errors", models="wloka_gc,schlick", n_i=1.5, n_t=1.0, samples=3).json()
+def test_undefined_figures_are_null_and_last(ask: Ask) -> None:
+    body = ask("/errors", models="wloka_gc,schlick", n_i=1.5, n_t=1.0, samples=3).json()
     first, last = body["errors"]
     assert (first["model"], last["model"]) == ("schlick", "wloka_gc")
     assert all(last[name] is None for name in METRICS)
     assert last["error"] == [pytest.approx(0.0, abs=1e-15), None, None]
 
 
-def test_no_contrast_has_no_relative_error(get: Get) -> None:
-    (row,) = get("/errors", models="schlick", n_t=1.0, samples=2).json()["errors"]
+def test_no_contrast_has_no_relative_error(ask: Ask) -> None:
+    (row,) = ask("/errors", models="schlick", n_t=1.0, samples=2).json()["errors"]
     assert row["max_relative"] is None
     assert row["rms"] == pytest.approx(11**-0.5)
 
 
-def test_errors_as_csv(get: Get) -> None:
+def test_errors_as_csv(ask: Ask) -> None:
     asked = {"models": "schlick,wloka_gc", "n_i": 1.5, "n_t": 1.0, "format": "csv", "samples": 3}
-    rows = table(get("/errors", asked))
+    rows = table(ask("/errors", **asked))
     assert [row["model"] for row in rows] == ["schlick", "wloka_gc"]
     assert rows[0]["in_domain"] == "false"
     assert float(rows[0]["max_abs"]) == pytest.approx(0.959, abs=1e-3)
     assert rows[1]["rms"] == ""
-    rounded = table(get("/errors", asked, digits=3))
+    rounded = table(ask("/errors", **asked, digits=3))
     assert rounded[0]["max_abs"] == "0.959"
-    angles = table(get("/errors", asked, table="curves"))
+    angles = table(ask("/errors", **asked, table="curves"))
     assert [row["theta_i_deg"] for row in angles] == ["0.0", "45.0", "90.0"]
     assert set(angles[0]) == {"theta_i_deg", "schlick.R.error", "wloka_gc.R.error"}
 
@@ -150,18 +133,18 @@ def test_errors_as_csv(get: Get) -> None:
         ({"models": "lut_1d", "lut_1d.bits": 10}, "lut_1d.bits"),
     ],
 )
-def test_refused(get: Get, parameters: dict[str, Any], name: str) -> None:
-    assert problem(get("/errors", parameters))["parameter"] == name
+def test_refused(ask: Ask, parameters: dict[str, Any], name: str) -> None:
+    assert problem(ask("/errors", **parameters))["parameter"] == name
 
 
 # Along a line
 
 
-def test_schlicks_largest_errors_to_the_printed_digits(get: Get) -> None:
+def test_schlicks_largest_errors_to_the_printed_digits(ask: Ask) -> None:
     """The table of formulas.md, read off one sweep in steps of 0.01."""
     printed = {1.1: 0.2105, 1.2: 0.1130, 1.33: 0.0599, 1.5: 0.0357, 1.8: 0.0345}
     printed |= {2.2: 0.0582, 2.42: 0.0757, 3.0: 0.1250, 4.0: 0.2009}
-    body = get(
+    body = ask(
         "/errors/sweep", model="schlick", over="n_t", minimum=1.1, maximum=4, steps=291
     ).json()
     ErrorSweepOut.model_validate(body)
@@ -173,9 +156,9 @@ def test_schlicks_largest_errors_to_the_printed_digits(get: Get) -> None:
 
 @pytest.mark.parametrize("over", ["n_t", "k_t", "eta"])
 @pytest.mark.parametrize("scale", ["linear", "log"])
-def test_a_sweep_is_the_errors_at_each_interface(get: Get, over: str, scale: str) -> None:
+def test_a_sweep_is_the_errors_at_each_interface(ask: Ask, over: str, scale: str) -> None:
     asked = {"model": "schlick", "n_i": 1.5, "minimum": 0.5, "maximum": 2.3, "steps": 4}
-    body = get("/errors/sweep", asked, over=over, scale=scale).json()
+    body = ask("/errors/sweep", **asked, over=over, scale=scale).json()
     expected = np.linspace(0.5, 2.3, 4) if scale == "linear" else np.geomspace(0.5, 2.3, 4)
     np.testing.assert_allclose(body["values"], expected)
     assert {n: body[n] for n in ("n_i", "n_t", "k_t")} == {
@@ -185,22 +168,22 @@ def test_a_sweep_is_the_errors_at_each_interface(get: Get, over: str, scale: str
     }
     for index, value in enumerate(body["values"]):
         media = {"n_t": 1.5 * value} if over == "eta" else {over: value}
-        (row,) = get("/errors", models="schlick", n_i=1.5, samples=2, **media).json()["errors"]
+        (row,) = ask("/errors", models="schlick", n_i=1.5, samples=2, **media).json()["errors"]
         assert body["in_domain"][index] is row["in_domain"]
         for name in (*METRICS, "albedo_error"):
             assert body[name][index] == pytest.approx(row[name], rel=1e-9, abs=1e-15), name
 
 
-def test_a_sweep_as_csv(get: Get) -> None:
-    rows = table(get("/errors/sweep", over="k_t", steps=3, format="csv", digits=4))
+def test_a_sweep_as_csv(ask: Ask) -> None:
+    rows = table(ask("/errors/sweep", over="k_t", steps=3, format="csv", digits=4))
     assert [row["k_t"] for row in rows] == ["0.0", "2.5", "5.0"]
     assert set(rows[0]) == {"k_t", *METRICS, "albedo_error"}
 
 
-def test_a_sweep_with_a_models_own_parameter(get: Get) -> None:
+def test_a_sweep_with_a_models_own_parameter(ask: Ask) -> None:
     asked = {"model": "generalized_schlick", "steps": 3, "k_t": 3.0}
-    plain = get("/errors/sweep", asked).json()
-    bent = get("/errors/sweep", asked, **{"generalized_schlick.exponent": 4.0}).json()
+    plain = ask("/errors/sweep", **asked).json()
+    bent = ask("/errors/sweep", **asked, **{"generalized_schlick.exponent": 4.0}).json()
     assert plain["rms"] != bent["rms"]
 
 
@@ -223,22 +206,22 @@ def test_a_sweep_with_a_models_own_parameter(get: Get) -> None:
         ({"model": "hoffman_f82", "k_t": 3.0, "hoffman_f82.F0": "1,1,1"}, "hoffman_f82.F0"),
     ],
 )
-def test_refused_sweeps(get: Get, parameters: dict[str, Any], name: str) -> None:
-    assert problem(get("/errors/sweep", parameters))["parameter"] == name
+def test_refused_sweeps(ask: Ask, parameters: dict[str, Any], name: str) -> None:
+    assert problem(ask("/errors/sweep", **parameters))["parameter"] == name
 
 
 # Over a rectangle
 
 
 @pytest.mark.parametrize("metric", ["error", "absolute", "relative"])
-def test_a_map_over_the_angle(get: Get, metric: str) -> None:
+def test_a_map_over_the_angle(ask: Ask, metric: str) -> None:
     asked = {"x_steps": 4, "y": "n_t", "y_minimum": 1.2, "y_maximum": 2.2, "y_steps": 3}
-    body = get("/errors/map", asked, metric=metric).json()
+    body = ask("/errors/map", **asked, metric=metric).json()
     ErrorMapOut.model_validate(body)
     assert body["x"] == {"name": "theta_i_deg", "values": [0.0, 30.0, 60.0, 90.0]}
     assert len(body["values"]) == 3
     for n_t, cells in zip(body["y"]["values"], body["values"], strict=True):
-        (row,) = get("/errors", models="schlick", n_t=n_t, samples=4, relative="true").json()[
+        (row,) = ask("/errors", models="schlick", n_t=n_t, samples=4, relative="true").json()[
             "errors"
         ]
         curve = np.array(row["relative_error" if metric == "relative" else "error"])
@@ -248,9 +231,9 @@ def test_a_map_over_the_angle(get: Get, metric: str) -> None:
 
 
 @pytest.mark.parametrize("metric", [*METRICS, "albedo_error"])
-def test_a_map_over_index_and_extinction(get: Get, metric: str) -> None:
+def test_a_map_over_index_and_extinction(ask: Ask, metric: str) -> None:
     asked = {"x": "n_t", "y": "k_t", "x_steps": 5, "y_steps": 4, "x_minimum": 1.1, "y_minimum": 0.5}
-    body = get("/errors/map", asked, metric=metric, model="pharr_humphreys").json()
+    body = ask("/errors/map", **asked, metric=metric, model="pharr_humphreys").json()
     ErrorMapOut.model_validate(body)
     n, k = np.meshgrid(body["x"]["values"], body["y"]["values"])
     name = "cosine_weighted_mean" if metric == "albedo_error" else metric
@@ -259,17 +242,17 @@ def test_a_map_over_index_and_extinction(get: Get, metric: str) -> None:
     np.testing.assert_allclose(np.array(body["values"]), expected, atol=tolerance)
 
 
-def test_defaults_of_a_map(get: Get) -> None:
-    body = get("/errors/map").json()
+def test_defaults_of_a_map(ask: Ask) -> None:
+    body = ask("/errors/map").json()
     assert (body["metric"], body["x"]["name"], body["y"]["name"]) == ("error", "theta_i_deg", "n_t")
     assert (len(body["values"]), len(body["values"][0])) == (121, 181)
-    swapped = get("/errors/map", x="k_t", y="n_t", x_steps=3, y_steps=2).json()
+    swapped = ask("/errors/map", x="k_t", y="n_t", x_steps=3, y_steps=2).json()
     assert swapped["metric"] == "max_abs"
     assert (len(swapped["values"]), len(swapped["values"][0])) == (2, 3)
 
 
-def test_a_map_as_csv(get: Get) -> None:
-    rows = table(get("/errors/map", x_steps=2, y_steps=2, format="csv"))
+def test_a_map_as_csv(ask: Ask) -> None:
+    rows = table(ask("/errors/map", x_steps=2, y_steps=2, format="csv"))
     assert [(row["theta_i_deg"], row["n_t"]) for row in rows] == [
         ("0.0", "0.1"),
         ("90.0", "0.1"),
@@ -279,8 +262,8 @@ def test_a_map_as_csv(get: Get) -> None:
     assert set(rows[0]) == {"theta_i_deg", "n_t", "error"}
 
 
-def test_the_largest_map_is_answered(get: Get) -> None:
-    answer = get("/errors/map", x="n_t", y="k_t", x_steps=500, y_steps=500, digits=3, metric="rms")
+def test_the_largest_map_is_answered(ask: Ask) -> None:
+    answer = ask("/errors/map", x="n_t", y="k_t", x_steps=500, y_steps=500, digits=3, metric="rms")
     assert answer.status_code == 200
     assert len(answer.json()["values"]) == 500
 
@@ -301,11 +284,11 @@ def test_the_largest_map_is_answered(get: Get) -> None:
         ({"x": "n_t", "y": "k_t", "model": "lut_1d", "lut_1d.size": 4096}, "steps"),
     ],
 )
-def test_refused_maps(get: Get, parameters: dict[str, Any], name: str) -> None:
-    assert problem(get("/errors/map", parameters))["parameter"] == name
+def test_refused_maps(ask: Ask, parameters: dict[str, Any], name: str) -> None:
+    assert problem(ask("/errors/map", **parameters))["parameter"] == name
 
 
-def test_traps_are_measured_and_marked(get: Get) -> None:
-    rows = get("/errors", models=",".join(TRAPS), n_t=1.5, k_t=2.0, samples=2).json()["errors"]
+def test_traps_are_measured_and_marked(ask: Ask) -> None:
+    rows = ask("/errors", models=",".join(TRAPS), n_t=1.5, k_t=2.0, samples=2).json()["errors"]
     assert len(rows) == len(TRAPS)
     assert not any(row["in_domain"] for row in rows)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import csv
 import io
 from collections.abc import Callable
@@ -13,35 +12,21 @@ import numpy as np
 import pytest
 
 from app.api.error_schemas import RecommendationOut
-from app.main import create_app
 from app.optics.recommendation import BUDGET_METRICS
 from app.optics.registry import default_registry
 
-Get = Callable[..., httpx.Response]
+Ask = Callable[..., httpx.Response]
 REGISTRY = default_registry()
 GLASS = {"n_t": 1.5}
 GOLD = {"n_t": 0.27, "k_t": 2.9}
 IRON = {"n_t": 2.9, "k_t": 3.0}
 
 
-@pytest.fixture(scope="module")
-def get() -> Get:
-    app = create_app()
-
-    def ask(path: str, parameters: dict[str, Any] | None = None, **more: Any) -> httpx.Response:
-        async def request() -> httpx.Response:
-            transport = httpx.ASGITransport(app=app)
-            async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
-                return await client.get(f"/api/v1{path}", params={**(parameters or {}), **more})
-
-        return asyncio.run(request())
-
-    return ask
-
-
-def recomputed(get: Get, media: dict[str, float]) -> dict[str, float]:
+def recomputed(ask: Ask, media: dict[str, float]) -> dict[str, float]:
     """Largest error of every model from densely sampled curves and nothing else."""
-    answer = get("/curves", media, models=",".join(REGISTRY), samples=9001, landmarks="true").json()
+    answer = ask(
+        "/curves", **media, models=",".join(REGISTRY), samples=9001, landmarks="true"
+    ).json()
     curve = {
         c["model"]: np.array(c["values"], dtype=np.float64)
         for c in answer["curves"]
@@ -54,10 +39,10 @@ def recomputed(get: Get, media: dict[str, float]) -> dict[str, float]:
 
 
 @pytest.mark.parametrize("media", [GLASS, GOLD, IRON], ids=["glass", "gold-like", "iron-like"])
-def test_the_answers_hold_by_the_curves_alone(get: Get, media: dict[str, float]) -> None:
-    largest = recomputed(get, media)
+def test_the_answers_hold_by_the_curves_alone(ask: Ask, media: dict[str, float]) -> None:
+    largest = recomputed(ask, media)
     for budget in (0.05, 0.02, 0.005):
-        body = get("/recommend", media, max_error=budget).json()
+        body = ask("/recommend", **media, max_error=budget).json()
         RecommendationOut.model_validate(body)
         accepted = [candidate["model"] for candidate in body["models"]]
         assert accepted
@@ -73,8 +58,8 @@ def test_the_answers_hold_by_the_curves_alone(get: Get, media: dict[str, float])
 
 
 @pytest.mark.parametrize("metric", [*BUDGET_METRICS, "albedo_error"])
-def test_cheapest_first_and_every_refusal_explained(get: Get, metric: str) -> None:
-    body = get("/recommend", GOLD, max_error=0.01, metric=metric).json()
+def test_cheapest_first_and_every_refusal_explained(ask: Ask, metric: str) -> None:
+    body = ask("/recommend", **GOLD, max_error=0.01, metric=metric).json()
     RecommendationOut.model_validate(body)
     costs = [candidate["weighted_cost"] for candidate in body["models"]]
     assert costs == sorted(costs)
@@ -86,23 +71,23 @@ def test_cheapest_first_and_every_refusal_explained(get: Get, metric: str) -> No
     assert all(c["reason"] for c in body["refused"])
 
 
-def test_what_will_do(get: Get) -> None:
+def test_what_will_do(ask: Ask) -> None:
     def first(media: dict[str, float], budget: float) -> str:
-        return str(get("/recommend", media, max_error=budget).json()["models"][0]["model"])
+        return str(ask("/recommend", **media, max_error=budget).json()["models"][0]["model"])
 
     assert first(GLASS, 0.05) == "schlick"
     assert first(GOLD, 0.02) == "schlick"
     assert first(IRON, 0.02) == "f82_tint"
 
 
-def test_a_material_in_place_of_numbers(get: Get) -> None:
-    body = get("/recommend", material="Au", max_error=0.02).json()
+def test_a_material_in_place_of_numbers(ask: Ask) -> None:
+    body = ask("/recommend", material="Au", max_error=0.02).json()
     assert body["interface"]["material"]["id"] == "Au"
     assert "exact" in {candidate["model"] for candidate in body["models"]}
 
 
-def test_as_csv(get: Get) -> None:
-    answer = get("/recommend", GLASS, max_error=0.02, format="csv", digits=3)
+def test_as_csv(ask: Ask) -> None:
+    answer = ask("/recommend", **GLASS, max_error=0.02, format="csv", digits=3)
     assert answer.headers["content-type"] == "text/csv; charset=utf-8"
     rows = {row["model"]: row for row in csv.DictReader(io.StringIO(answer.text))}
     assert set(rows) == set(REGISTRY)
@@ -123,7 +108,7 @@ def test_as_csv(get: Get) -> None:
         ({"n_t": "inf"}, "n_t"),
     ],
 )
-def test_refused(get: Get, parameters: dict[str, Any], name: str) -> None:
-    answer = get("/recommend", parameters)
+def test_refused(ask: Ask, parameters: dict[str, Any], name: str) -> None:
+    answer = ask("/recommend", **parameters)
     assert answer.status_code == 422
     assert [error["parameter"] for error in answer.json()["errors"]] == [name]
