@@ -1,9 +1,7 @@
 r"""eta cos(theta_i) - sin(theta_i) with all its digits, near Brewster's angle too.
 
-The factor vanishes at Brewster's angle theta_B = arctan(eta), where the difference of the rounded
-products keeps no digit and Rp, its square, would be noise. But the same factor is
-sqrt(1 + eta^2) sin(theta_B - theta_i), and in degrees the difference of two near angles is exact:
-all that is needed is theta_B in degrees to twice the precision of a double.
+The factor vanishes at Brewster's angle theta_B = arctan(eta), where Rp, its square, would be noise.
+It is also sqrt(1 + eta^2) sin(theta_B - theta_i), see `app.optics.near_angle`.
 """
 
 from __future__ import annotations
@@ -15,11 +13,8 @@ import numpy as np
 from app.optics.double_double import Double2, arctan_deg
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.optics.parameters import Array, Number
-
-# Beyond this distance from Brewster's angle the plain difference has its digits: the relative error
-# there is about 1e-16 / (distance in radians), 3e-14.
-_NEAR_DEG = 0.2
+from app.optics.near_angle import careful_near
+from app.optics.parameters import Array
 
 
 def brewster_factor(interface: Interface, incidence: Incidence) -> Array:
@@ -38,28 +33,19 @@ def brewster_factor(interface: Interface, incidence: Incidence) -> Array:
     """
     eta, _, _ = interface.relative
     plain = np.asarray(eta * incidence.cos - incidence.sin)
-    degrees = incidence.exact_degrees
-    if degrees is None:
-        return plain
-    near = np.abs(_nearly_brewster_deg(interface) - degrees) < _NEAR_DEG
-    if not near.any():
-        return plain
-    theta = np.broadcast_to(degrees, plain.shape)[near]
-    n_i, n_t = interface.n_i, interface.n_t
-    if interface.shape:
-        n_i, n_t = (np.broadcast_to(array, plain.shape)[near] for array in (n_i, n_t))
-    brewster = brewster_angle_deg(n_i, n_t)
-    distance = (brewster.high - theta) + brewster.low
-    result = plain.copy()
-    result[near] = np.hypot(n_i, n_t) / n_i * np.sin(np.radians(distance))
-    return result
+    return careful_near(
+        brewster_angle_deg,
+        lambda eta: np.asarray(np.degrees(np.arctan(eta))),
+        plain,
+        interface,
+        incidence,
+        _about_brewster,
+    )
 
 
-def _nearly_brewster_deg(interface: Interface) -> Number:
-    """Brewster's angle in plain arithmetic."""
-    if not interface.shape:
-        return brewster_angle_deg(interface.n_i, interface.n_t).high
-    return np.degrees(np.arctan(interface.eta))
+def _about_brewster(n_i: Array, n_t: Array, theta_deg: Array, brewster: Double2) -> Array:
+    distance = (brewster.high - theta_deg) + brewster.low
+    return np.asarray(np.hypot(n_i, n_t) / n_i * np.sin(np.radians(distance)))
 
 
 def brewster_angle_deg(n_i: Array, n_t: Array) -> Double2:

@@ -3,8 +3,8 @@ r"""eta^2 - sin^2(theta_i) with all its digits, near the critical angle too.
 Its root is the normal component of the refracted wave, and a thin second medium (eta = 0.01) passes
 from Rp = 0 to Rp = 1 within a few millionths of a radian of the critical angle
 theta_c = arcsin(eta), where the difference of eta and a rounded sine has lost the digits that Rp
-needs. The difference is also 2 cos((theta_c + theta_i)/2) sin((theta_c - theta_i)/2), with theta_c
-in degrees to twice the precision of a double as in `app.optics.brewster`.
+needs. The difference is also 2 cos((theta_c + theta_i)/2) sin((theta_c - theta_i)/2) times
+eta + sin(theta_i), see `app.optics.near_angle`.
 """
 
 from __future__ import annotations
@@ -23,10 +23,8 @@ from app.optics.double_double import (
 )
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.near_angle import careful_near
 from app.optics.parameters import Array, Number
-
-# Beyond this distance from the critical angle the plain difference has its digits.
-_NEAR_DEG = 0.2
 
 
 def normal_square(interface: Interface, incidence: Incidence) -> Array:
@@ -63,32 +61,22 @@ def _denser_side(interface: Interface, incidence: Incidence) -> Array:
     s, c = incidence.sin, incidence.cos
     # Near grazing incidence s is rounded while c is not, near normal incidence the other way round.
     plain = np.where(s * s < 0.5, (eta - s) * (eta + s), eta_minus_1 * (eta + 1.0) + c * c)
-    degrees = incidence.exact_degrees
-    if degrees is None:
-        return plain
-    near = np.abs(_nearly_critical_deg(interface) - degrees) < _NEAR_DEG
-    if not near.any():
-        return plain
-    theta = np.broadcast_to(degrees, plain.shape)[near]
-    n_i, n_t = interface.n_i, interface.n_t
-    if interface.shape:
-        n_i, n_t = (np.broadcast_to(array, plain.shape)[near] for array in (n_i, n_t))
-    critical = critical_angle_deg(n_i, n_t)
-    distance = (critical.high - theta) + critical.low
+    return careful_near(
+        critical_angle_deg, _roughly_critical_deg, plain, interface, incidence, _about_critical
+    )
+
+
+def _about_critical(n_i: Array, n_t: Array, theta_deg: Array, critical: Double2) -> Array:
+    distance = (critical.high - theta_deg) + critical.low
     # The cosine of the mean is the sine of its complement, which keeps its digits near 90 degrees.
-    complement = 0.5 * (((90.0 - critical.high) - critical.low) + (90.0 - theta))
+    complement = 0.5 * (((90.0 - critical.high) - critical.low) + (90.0 - theta_deg))
     difference = 2.0 * np.sin(np.radians(complement)) * np.sin(0.5 * np.radians(distance))
-    result = plain.copy()
-    result[near] = difference * np.broadcast_to(eta + s, plain.shape)[near]
-    return result
+    return np.asarray(difference * (n_t / n_i + np.sin(np.radians(theta_deg))))
 
 
-def _nearly_critical_deg(interface: Interface) -> Number:
-    """The critical angle in plain arithmetic, NaN where there is none."""
-    if not interface.shape:
-        return critical_angle_deg(interface.n_i, interface.n_t).high
+def _roughly_critical_deg(eta: Array) -> Array:
     with np.errstate(invalid="ignore"):
-        return np.where(interface.eta < 1.0, np.degrees(np.arcsin(interface.eta)), np.nan)
+        return np.where(eta < 1.0, np.degrees(np.arcsin(eta)), np.nan)
 
 
 def critical_angle_deg(n_i: Array, n_t: Array) -> Double2:
