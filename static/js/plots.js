@@ -43,7 +43,8 @@ import { readTheme } from "./plot/theme.js";
  * @property {(x: number | null, points?: readonly Point[]) => void} marker
  * @property {(changes: Partial<Pick<PlotOptions, "name" | "x" | "y" | "y2">>) => void} axes
  *   takes effect with the next `draw`; `y2: null` takes the second axis away
- * @property {(format: "png" | "svg" | "csv") => Promise<Blob>} exportAs
+ * @property {(format: "png" | "svg" | "csv", publication?: import("./plot/publication.js").Publication) => Promise<Blob>} exportAs
+ * @property {() => {name: string, ids: string[]}} about its title, and the curves in it
  * @property {(format: "png" | "svg" | "csv") => string} filename
  * @property {() => HTMLTableElement} table
  * @property {() => void} theme
@@ -338,7 +339,8 @@ export function createPlot(element, options) {
       element.setAttribute("aria-label", name);
       describeHandle();
     },
-    exportAs: async (format) => {
+    about: () => ({ name, ids: traces.map((trace) => trace.id) }),
+    exportAs: async (format, publication) => {
       if (format === "csv") {
         const { toCsv } = await import("./plot/csv.js");
         return new Blob([toCsv(axes.x.column ?? plainText(axes.x.title), traces)], {
@@ -356,18 +358,18 @@ export function createPlot(element, options) {
               ...marks.filter((mark) => mark.kind !== "current"),
               { x: marker.x, label: "", kind: /** @type {const} */ ("current") },
             ];
-      return imageOf(
-        exportFigure({
-          title: name,
-          traces,
-          marks: valued(shown, axes.x),
-          bands,
-          most,
-          axes,
-          theme,
-          size,
-        }),
-        format,
+      const picture = { traces, marks: valued(shown, axes.x), bands, most, axes };
+      if (!publication)
+        return imageOf(exportFigure({ ...picture, title: name, theme, size }), format);
+      const { drawingSize, onGround } = await import("./plot/publication.js");
+      const { mmPerPx, ...drawing } = drawingSize(publication);
+      const { ground, caption } = publication;
+      return onGround(element, ground, (inks) =>
+        imageOf(
+          exportFigure({ ...picture, title: "", caption, theme: inks, size: drawing }),
+          format,
+          mmPerPx,
+        ),
       );
     },
     filename: (format) => `${options.filename ?? "plot"}.${format}`,

@@ -5,11 +5,11 @@ import { createChoice } from "../controls/choice.js";
 import { createRow } from "../controls/row.js";
 import { h, setText } from "../dom.js";
 import { put, svg } from "../draw/svg.js";
+import { createExports } from "../exports.js";
 import { evaluateAngle } from "../expression.js";
 import { angle, inDegrees, percent, plain, six } from "../format.js";
 import { fontFaces, rasterized, withStyle } from "../plot/image.js";
 import { coatPicture, outline } from "./coat-picture.js";
-import { createExports } from "./exports.js";
 import { createTrouble } from "./trouble.js";
 
 /**
@@ -163,7 +163,7 @@ export function createCoat({ presets, state, actions, save, say, prefix = "albed
       "div",
       { class: "heading" },
       h("h2", {}, "Glossy paint: a body under a coat"),
-      createExports({ what: "picture of the paint", name: () => FILE, make, save }),
+      createExports({ what: "the picture of the paint", name: () => FILE, make, save }),
     ),
     h(
       "div",

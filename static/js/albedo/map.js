@@ -3,12 +3,12 @@
 import { short } from "../compare/metrics.js";
 import { createChoice } from "../controls/choice.js";
 import { h, setText } from "../dom.js";
+import { createExports } from "../exports.js";
 import { plain, six } from "../format.js";
 import { roundUp } from "../plot/colors.js";
 import { createHeatmap } from "../plot/heatmap.js";
 import { createBounds } from "./bounds.js";
 import { printError } from "./claims.js";
-import { createExports } from "./exports.js";
 import { mapFit, mapRange } from "./fields.js";
 import { createTrouble } from "./trouble.js";
 
@@ -145,9 +145,10 @@ export function createMap(parent, { actions, state, save }) {
       { class: "heading" },
       h("h2", {}, "Over n and k"),
       createExports({
-        what: "map",
+        what: "the map",
         name: () => "fresnel-albedo-map",
         make: (format) => map.exportAs(format),
+        figures: () => [map],
         save,
       }),
     ),

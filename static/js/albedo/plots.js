@@ -3,13 +3,13 @@
 import { errorRange } from "../compare/traces.js";
 import { createChoice } from "../controls/choice.js";
 import { h, setText } from "../dom.js";
+import { createExports } from "../exports.js";
 import { locate, read } from "../interpolate.js";
 import { drawLegend } from "../plot/legend.js";
 import { MOST_LABELS } from "../plot/overlay.js";
 import { createPlot } from "../plots.js";
 import { clamp } from "../snap.js";
 import { createBounds } from "./bounds.js";
-import { createExports } from "./exports.js";
 import { gone, isMetal, place, sweepRange } from "./fields.js";
 import { albedoTraces, claimTraces, decisive, errorTraces, tamed } from "./traces.js";
 import { createTrouble } from "./trouble.js";
@@ -96,9 +96,10 @@ export function createPlots(parent, { actions, save }) {
       { class: "heading" },
       title,
       createExports({
-        what: "albedos",
+        what: "the albedos",
         name: () => "fresnel-albedo",
         make: (format) => upper.exportAs(format),
+        figures: () => [upper],
         save,
       }),
     ),
@@ -111,9 +112,10 @@ export function createPlots(parent, { actions, save }) {
       h("h2", {}, "Error of the fits"),
       kind.element,
       createExports({
-        what: "errors of the fits",
+        what: "the errors of the fits",
         name: () => "fresnel-albedo-error",
         make: (format) => lower.exportAs(format),
+        figures: () => [lower],
         save,
       }),
     ),

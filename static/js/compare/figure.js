@@ -2,6 +2,7 @@
 
 import { createChoice } from "../controls/choice.js";
 import { h, setText } from "../dom.js";
+import { createExports } from "../exports.js";
 import { evaluate } from "../expression.js";
 import { inDegrees, inUnit, percent, plain } from "../format.js";
 import { locate, read } from "../interpolate.js";
@@ -142,25 +143,14 @@ export function createFigure({ parent, catalog, actions, save }) {
   );
   /** @type {State | null} */
   let now = null;
-  const exports = h(
-    "p",
-    { class: "exports" },
-    .../** @type {const} */ (["png", "svg", "csv"]).map((kind) =>
-      h(
-        "button",
-        {
-          type: "button",
-          class: "quiet",
-          "aria-label": `Save the figure of the error as ${kind.toUpperCase()}`,
-          onclick: async () => {
-            const shown = now && isMap(now.over) ? map : plot;
-            save(`fresnel-error-${now?.over ?? "n"}.${kind}`, await shown.exportAs(kind));
-          },
-        },
-        kind.toUpperCase(),
-      ),
-    ),
-  );
+  const shown = () => (now && isMap(now.over) ? map : plot);
+  const exports = createExports({
+    what: "the figure of the error",
+    name: () => `fresnel-error-${now?.over ?? "n"}`,
+    make: (format) => shown().exportAs(format),
+    figures: () => [shown()],
+    save,
+  });
   const hint = h("p", { class: "hint" });
   const element = h(
     "section",

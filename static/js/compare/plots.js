@@ -3,6 +3,7 @@
 import { createChoice } from "../controls/choice.js";
 import { h } from "../dom.js";
 import { landmarksOf } from "../explore/reading.js";
+import { createExports } from "../exports.js";
 import { inDegrees, inUnit } from "../format.js";
 import { locate, read } from "../interpolate.js";
 import { traceUid } from "../plot/figure.js";
@@ -47,22 +48,13 @@ export function createPlots({ parent, models, actions, save }) {
   let now = null;
   /** @param {string} name @param {string} label @param {() => import('../plots.js').Plot} plot */
   const exports = (name, label, plot) =>
-    h(
-      "p",
-      { class: "exports" },
-      .../** @type {const} */ (["png", "svg", "csv"]).map((kind) =>
-        h(
-          "button",
-          {
-            type: "button",
-            class: "quiet",
-            "aria-label": `Save the ${label} as ${kind.toUpperCase()}`,
-            onclick: async () => save(`${name}.${kind}`, await plot().exportAs(kind)),
-          },
-          kind.toUpperCase(),
-        ),
-      ),
-    );
+    createExports({
+      what: `the ${label}`,
+      name: () => name,
+      make: (format) => plot().exportAs(format),
+      figures: () => [plot()],
+      save,
+    });
   const kind = createChoice({
     legend: "Error",
     items: [

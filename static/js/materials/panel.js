@@ -1,9 +1,10 @@
 /** A figure with its heading, its controls, what went wrong with it, its files and its data table. */
 
 import { h, setText } from "../dom.js";
+import { createExports } from "../exports.js";
 
 /**
- * @typedef {{exportAs: (format: 'png' | 'svg' | 'csv') => Promise<Blob>, table: () => HTMLTableElement,
+ * @typedef {import('../exports.js').Published & {exportAs: (format: 'png' | 'svg' | 'csv') => Promise<Blob>, table: () => HTMLTableElement,
  *   theme: () => void, destroy: () => void}} Figure
  * @typedef {ReturnType<typeof createPanel>} Panel
  */
@@ -29,28 +30,13 @@ export function createPanel({
   filename,
   save,
 }) {
-  const exports = h(
-    "p",
-    { class: "exports" },
-    .../** @type {const} */ (["png", "svg", "csv"]).map((kind) =>
-      h(
-        "button",
-        {
-          type: "button",
-          class: "quiet",
-          "aria-label": `Save “${title}” as ${kind.toUpperCase()}`,
-          onclick: async () => {
-            const all = figures();
-            for (const [index, figure] of all.entries()) {
-              const part = all.length > 1 ? `-${index + 1}` : "";
-              save(`${filename()}${part}.${kind}`, await figure.exportAs(kind));
-            }
-          },
-        },
-        kind.toUpperCase(),
-      ),
-    ),
-  );
+  const exports = createExports({
+    what: `“${title}”`,
+    name: filename,
+    make: (kind) => Promise.all(figures().map((figure) => figure.exportAs(kind))),
+    figures,
+    save,
+  });
   const heading = h("h2", {}, title);
   const problem = h("p", { class: "row-error", role: "alert" });
   const note = h("p", { class: "hint" });

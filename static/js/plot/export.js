@@ -8,6 +8,7 @@ import { placeLabels } from "./labels.js";
 import { arrange } from "./layout.js";
 import { placeMarkNames } from "./marks.js";
 import { MOST_LABELS } from "./overlay.js";
+import { onPaper, withDensity, wrapped } from "./publication.js";
 
 /** @typedef {import("./model.js").Trace} Trace */
 /** @typedef {import("./model.js").Mark} Mark */
@@ -17,17 +18,21 @@ const LEGEND_ROW = 22;
 const LABEL_SIZE = 17;
 const SCALE = 2;
 const PADDING = 12;
+const CAPTION_LINE = 15;
+const CAPTION_GAP = 6;
+const DOTS_PER_MM = 600 / 25.4;
 
 /**
  * @param {object} picture
- * @param {string} picture.title
+ * @param {string} picture.title above the plot, unless it is empty
+ * @param {readonly string[]} [picture.caption] paragraphs below it
  * @param {readonly Trace[]} picture.traces
  * @param {readonly Mark[]} picture.marks
  * @param {readonly import("./model.js").Band[]} [picture.bands]
  * @param {number} [picture.most] names at the curves
  * @param {import("./layout.js").Axes} picture.axes
  * @param {import("./theme.js").Theme} picture.theme
- * @param {import("./model.js").Size} picture.size
+ * @param {import("./model.js").Size} picture.size without the caption
  * @returns {Plotly.Figure}
  */
 export function exportFigure({
@@ -39,6 +44,7 @@ export function exportFigure({
   axes,
   theme,
   size,
+  caption = [],
 }) {
   const { family, symbolFamily } = theme;
   const text = createMeasure({ family, symbolFamily, size: 12 });
@@ -53,12 +59,13 @@ export function exportFigure({
     traces,
     measure: text,
     marksRow: landmarks.length > 0,
-    header: HEADER,
+    header: title ? HEADER : 0,
     padding: PADDING,
   });
   const { frame, xPixel, yPixel, margins } = arrangement;
   const layout = plotlyLayout(axes, arrangement, theme);
-  const annotations = layout.annotations ?? [];
+  const below = captioned(caption, arrangement, legend ? LEGEND_ROW : 0, theme);
+  const annotations = [...(layout.annotations ?? []), ...below.annotations];
   /** @param {number} x @param {number} y @param {string} words @param {object} font */
   const write = (x, y, words, font) => {
     annotations.push({
@@ -139,7 +146,7 @@ export function exportFigure({
     data: plotlyTraces(traces, theme),
     layout: {
       ...layout,
-      title: {
+      title: title && {
         text: `<b>${plotlyText(title)}</b>`,
         x: 0,
         xref: "container",
@@ -150,19 +157,19 @@ export function exportFigure({
         pad: { l: PADDING, t: PADDING + 4 },
         font: { size: 16, color: theme.ink },
       },
-      height: size.height,
+      height: size.height + below.height,
       annotations,
       shapes,
       paper_bgcolor: theme.paper,
       plot_bgcolor: theme.paper,
       showlegend: legend,
-      margin: { ...layout.margin, b: margins.bottom + (legend ? LEGEND_ROW : 0) },
+      margin: { ...layout.margin, b: margins.bottom + (legend ? LEGEND_ROW : 0) + below.height },
       legend: {
         orientation: "h",
         x: PADDING / size.width,
         xref: "container",
         xanchor: "left",
-        y: 0,
+        y: below.height / (size.height + below.height),
         yref: "container",
         yanchor: "bottom",
         itemwidth: 44,
@@ -174,16 +181,52 @@ export function exportFigure({
 }
 
 /**
+ * Paragraphs as lines below a picture, and the room they take.
+ * @param {readonly string[]} paragraphs
+ * @param {{size: import("./model.js").Size, margins: import("./model.js").Margins}} arrangement
+ * @param {number} legendRow room of a legend above them
+ * @param {import("./theme.js").Theme} theme
+ */
+export function captioned(paragraphs, { size, margins }, legendRow, { family, symbolFamily, ink }) {
+  const font = { size: 11, color: ink };
+  const measure = createMeasure({ family, symbolFamily, size: font.size });
+  const lines = wrapped(paragraphs, measure, size.width - 2 * PADDING);
+  const height = lines.length ? lines.length * CAPTION_LINE + CAPTION_GAP : 0;
+  const below = margins.bottom + legendRow;
+  const annotations = lines.map((line, index) => ({
+    text: line.replace(/&/gu, "&amp;").replace(/</gu, "&lt;"),
+    xref: "paper",
+    yref: "paper",
+    x: 0,
+    y: 0,
+    xshift: PADDING - margins.left,
+    yshift: -(below + index * CAPTION_LINE),
+    xanchor: "left",
+    yanchor: "top",
+    align: "left",
+    showarrow: false,
+    borderpad: 0,
+    font,
+  }));
+  return { height, annotations };
+}
+
+/**
  * @param {Plotly.Figure} figure
  * @param {"png" | "svg"} format
+ * @param {number} [mmPerPx] its size on paper, where it has one
  * @returns {Promise<Blob>}
  */
-export async function imageOf(figure, format) {
+export async function imageOf(figure, format, mmPerPx) {
   const { width = 960, height = 600, font } = figure.layout;
   const uri = await Plotly.toImage(figure, { format: "svg", width, height });
   const family = /** @type {{family: string}} */ (font).family;
   const drawn = decodeURIComponent(uri.slice(uri.indexOf(",") + 1));
-  const source = withStyle(drawn, await fontFaces(family));
+  const plain = withStyle(drawn, await fontFaces(family));
+  const source = mmPerPx ? onPaper(plain, { width, height, mmPerPx }) : plain;
   const svg = new Blob([source], { type: "image/svg+xml;charset=utf-8" });
-  return format === "svg" ? svg : rasterized(svg, width * SCALE, height * SCALE);
+  if (format === "svg") return svg;
+  const scale = mmPerPx ? mmPerPx * DOTS_PER_MM : SCALE;
+  const png = await rasterized(svg, Math.round(width * scale), Math.round(height * scale));
+  return mmPerPx ? withDensity(png, DOTS_PER_MM * 1000) : png;
 }

@@ -12,12 +12,13 @@ import { plain } from "../format.js";
 import { createCells, putCells } from "./cells.js";
 import { scaleOf, stops } from "./colors.js";
 import { contour } from "./contour.js";
-import { imageOf } from "./export.js";
+import { captioned, imageOf } from "./export.js";
 import { CONFIG, plotlyLayout, unitSuffix } from "./figure.js";
 import { gridCsv, gridTable } from "./grid.js";
 import { drawKey } from "./key.js";
 import { arrange } from "./layout.js";
 import { library } from "./library.js";
+import { drawingSize, onGround } from "./publication.js";
 import { createOutlines, regionShapes } from "./regions.js";
 import { readTheme } from "./theme.js";
 
@@ -38,6 +39,8 @@ import { readTheme } from "./theme.js";
  */
 
 const SMALLEST = 40;
+/** Beside an exported map, for the key of its colors, px. */
+const KEY_WIDTH = 110;
 
 /** @param {readonly number[]} values ascending, equally spaced @param {number} value */
 export function nearest(values, value) {
@@ -160,7 +163,8 @@ export function createHeatmap(element, options) {
 
   const placeKey = () => drawKey(key, scale, values, theme.color);
 
-  function traces() {
+  /** @param {import("./theme.js").Theme} [inks] */
+  function traces(inks = theme) {
     return [
       {
         type: /** @type {const} */ ("heatmap"),
@@ -171,16 +175,16 @@ export function createHeatmap(element, options) {
         zmax: scale.high,
         zauto: false,
         zsmooth: false,
-        colorscale: stops(scale.kind, theme.color),
+        colorscale: stops(scale.kind, inks.color),
         showscale: false,
         hoverinfo: "skip",
       },
     ];
   }
 
-  /** @param {import("./layout.js").Arrangement} layout */
-  function bareLayout(layout) {
-    const full = plotlyLayout(axes(), layout, theme);
+  /** @param {import("./layout.js").Arrangement} layout @param {import("./theme.js").Theme} [inks] */
+  function bareLayout(layout, inks = theme) {
+    const full = plotlyLayout(axes(), layout, inks);
     const still = { showgrid: false };
     return {
       ...full,
@@ -190,18 +194,58 @@ export function createHeatmap(element, options) {
     };
   }
 
-  /** @param {{width: number, height: number}} size @param {number} [header] */
-  function arranged(size, header = 0) {
-    const measure = createMeasure({ ...theme, size: 12 * theme.unit });
+  /** @param {{width: number, height: number}} size @param {number} [header] @param {import("./theme.js").Theme} [inks] */
+  function arranged(size, header = 0, inks = theme) {
+    const measure = createMeasure({ ...inks, size: 12 * inks.unit });
     return arrange({
       size,
       axes: axes(),
       traces: [],
       measure,
       marksRow: false,
-      unit: theme.unit,
+      unit: inks.unit,
       header,
     });
+  }
+
+  /**
+   * The map with its colors' key, to stand alone.
+   * @param {import("./model.js").Size} size without the caption
+   * @param {import("./theme.js").Theme} inks
+   * @param {string} title above it, unless it is empty
+   * @param {readonly string[]} [caption]
+   * @returns {Plotly.Figure}
+   */
+  function framedFigure(size, inks, title, caption = []) {
+    const layout = arranged({ ...size, width: size.width - KEY_WIDTH }, title ? 40 : 0, inks);
+    const bare = bareLayout(layout, inks);
+    const below = captioned(caption, { size, margins: layout.margins }, 0, inks);
+    const bar = {
+      title: { text: plainText(values.title), side: "right" },
+      outlinewidth: 0,
+      thickness: 16,
+    };
+    const { margins } = layout;
+    return {
+      data: traces(inks).map((t) => ({ ...t, showscale: true, colorbar: bar })),
+      layout: {
+        ...bare,
+        width: size.width,
+        height: size.height + below.height,
+        shapes: regionShapes(regions, inks.ink),
+        annotations: [...(bare.annotations ?? []), ...below.annotations],
+        margin: { ...bare.margin, r: margins.right + KEY_WIDTH, b: margins.bottom + below.height },
+        title: title && {
+          text: `<b>${title}</b>`,
+          x: 0.01,
+          xanchor: "left",
+          font: { size: 16, color: inks.ink },
+        },
+        paper_bgcolor: inks.paper,
+        plot_bgcolor: inks.paper,
+      },
+      config: { ...CONFIG, staticPlot: true },
+    };
   }
 
   async function settle() {
@@ -339,44 +383,22 @@ export function createHeatmap(element, options) {
       current = { x, y };
       placeCross();
     },
-    /** @param {'png' | 'svg' | 'csv'} format */
-    async exportAs(format) {
+    about: () => ({ name, ids: /** @type {string[]} */ ([]) }),
+    /** @param {'png' | 'svg' | 'csv'} format @param {import("./publication.js").Publication} [publication] */
+    async exportAs(format, publication) {
       if (!grid) throw new Error("there is no map yet");
       if (format === "csv")
         return new Blob([gridCsv(grid, xAxis, yAxis, plainText(values.title))], {
           type: "text/csv;charset=utf-8",
         });
-      const size = { width: 960, height: 720 };
-      const layout = arranged({ ...size, width: size.width - 110 }, 40);
-      const bare = bareLayout(layout);
-      const bar = {
-        title: { text: plainText(values.title), side: "right" },
-        outlinewidth: 0,
-        thickness: 16,
-      };
-      return imageOf(
-        {
-          data: /** @type {any} */ (
-            traces().map((t) => ({ ...t, showscale: true, colorbar: bar }))
-          ),
-          layout: {
-            ...bare,
-            ...size,
-            shapes: regionShapes(regions, theme.ink),
-            margin: { ...bare.margin, r: layout.margins.right + 110 },
-            title: {
-              text: `<b>${name}</b>`,
-              x: 0.01,
-              xanchor: "left",
-              font: { size: 16, color: theme.ink },
-            },
-            paper_bgcolor: theme.paper,
-            plot_bgcolor: theme.paper,
-          },
-          config: { ...CONFIG, staticPlot: true },
-        },
-        format,
-      );
+      if (publication) {
+        const { mmPerPx, ...size } = drawingSize(publication);
+        const { ground, caption } = publication;
+        return onGround(element, ground, (inks) =>
+          imageOf(framedFigure(size, inks, "", caption), format, mmPerPx),
+        );
+      }
+      return imageOf(framedFigure({ width: 960, height: 720 }, theme, name), format);
     },
     table: () => gridTable(name, grid, xAxis, yAxis, values.print),
     theme() {

@@ -27,6 +27,7 @@ import { axisTicks, logTicks, roundRange } from "./ticks.js";
 
 /** A line at the very end of a range would lose half its width to the frame's edge. */
 const EDGE = 3;
+const NARROW = 420;
 const X_SPACING = 40;
 const Y_SPACING = 44;
 
@@ -48,6 +49,11 @@ export function axisRange(axis, traces) {
 function padded([low, high], length) {
   const more = ((high - low) / Math.max(length - 2 * EDGE, 1)) * EDGE;
   return [low - more, high + more];
+}
+
+/** The size of what stands at the axes, px. @param {number} width of the plot @param {number} [unit] */
+export function textSize(width, unit = 1) {
+  return (width < NARROW * unit ? 11 : 12) * unit;
 }
 
 /**
@@ -72,8 +78,8 @@ export function arrange({
   header = 0,
   padding = 0,
 }) {
-  const narrow = size.width < 420 * unit;
-  const fontSize = (narrow ? 11 : 12) * unit;
+  const narrow = size.width < NARROW * unit;
+  const fontSize = textSize(size.width, unit);
   const second = traces.some((trace) => trace.axis === "y2") ? axes.y2 : null;
   const top = padding + header + (marksRow ? 42 : 26) * unit;
   const bottom = padding + (axes.x.title ? 50 : 28) * unit;

@@ -10,6 +10,7 @@ import { landmarksOf, readingAt } from "../explore/reading.js";
 import { createSplit } from "../explore/split.js";
 import { spreadPaths } from "../explore/spread-paths.js";
 import { axesOf, marksOf, tracesOf } from "../explore/traces.js";
+import { createExports } from "../exports.js";
 import { angle, inDegrees, inUnit, percent } from "../format.js";
 import { parameterFields, parameterQuery } from "../model-parameters.js";
 import { createPlot } from "../plots.js";
@@ -70,22 +71,13 @@ export function createView({
     h("summary", {}, "The curves as a table"),
     tableHost,
   );
-  const exports = h(
-    "p",
-    { class: "exports" },
-    .../** @type {const} */ (["png", "svg", "csv"]).map((kind) =>
-      h(
-        "button",
-        {
-          type: "button",
-          class: "quiet",
-          "aria-label": `Save the plot as ${kind.toUpperCase()}`,
-          onclick: async () => save(`fresnel-curves.${kind}`, await plot.exportAs(kind)),
-        },
-        kind.toUpperCase(),
-      ),
-    ),
-  );
+  const exports = createExports({
+    what: "the plot",
+    name: () => "fresnel-curves",
+    make: (kind) => plot.exportAs(kind),
+    figures: () => [plot],
+    save,
+  });
 
   element.append(
     controls.element,

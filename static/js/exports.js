@@ -1,0 +1,59 @@
+/** What can be taken away of a figure: PNG, SVG and CSV at once, and a picture made to fit a paper or a slide. */
+
+import { h } from "./dom.js";
+
+/**
+ * @typedef {'png' | 'svg' | 'csv'} Format
+ * @typedef {import("./plot/publication.js").Publication} Publication
+ * @typedef {object} Published a figure that can be drawn for a publication
+ * @property {(format: 'png' | 'svg', publication: Publication) => Promise<Blob>} exportAs
+ * @property {() => {name: string, ids: string[]}} about its title, and what is drawn in it
+ */
+
+/**
+ * @param {object} options
+ * @param {string} options.what such as "the curves"
+ * @param {() => string} options.name of the file, without ending
+ * @param {(format: Format) => Promise<Blob | Blob[]>} options.make
+ * @param {(name: string, blob: Blob) => void} options.save
+ * @param {() => Published[]} [options.figures] those that can be set up for a publication
+ */
+export function createExports({ what, name, make, save, figures }) {
+  /** @param {Format} kind */
+  async function take(kind) {
+    const made = [await make(kind)].flat();
+    made.forEach((blob, i) => {
+      save(`${name()}${made.length > 1 ? `-${i + 1}` : ""}.${kind}`, blob);
+    });
+  }
+  return h(
+    "p",
+    { class: "exports" },
+    .../** @type {const} */ (["png", "svg", "csv"]).map((kind) =>
+      h(
+        "button",
+        {
+          type: "button",
+          class: "quiet",
+          "aria-label": `Save ${what} as ${kind.toUpperCase()}`,
+          onclick: () => take(kind),
+        },
+        kind.toUpperCase(),
+      ),
+    ),
+    figures &&
+      h(
+        "button",
+        {
+          type: "button",
+          class: "quiet",
+          "aria-label": `Print-ready picture of ${what.replace(/^the /u, "")}`,
+          onclick: async () => {
+            const { publish } = await import("./publish/dialog.js");
+            publish({ figures: figures(), name: name(), save });
+          },
+        },
+        "For print…",
+      ),
+  );
+}

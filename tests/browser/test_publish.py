@@ -1,0 +1,139 @@
+"""A figure for a paper or a slide: size, ground, letters and caption, as the saved files have them."""
+
+import io
+import re
+import struct
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.explore_page import READY_MS, opened
+
+SVG = "{http://www.w3.org/2000/svg}"
+MM_PER_POINT = 25.4 / 72
+# Corner and middle of a picture's red, green, blue and opacity, as the browser decodes it.
+PIXELS = """async (bytes) => {
+  const picture = await createImageBitmap(new Blob([new Uint8Array(bytes)]));
+  const canvas = new OffscreenCanvas(picture.width, picture.height);
+  const context = canvas.getContext('2d');
+  context.drawImage(picture, 0, 0);
+  return [...context.getImageData(2, 2, 1, 1).data];
+}"""
+
+
+def sheet(page: Page, what: str = "plot") -> Any:
+    """Open the sheet of a figure and wait for its preview."""
+    page.get_by_role("button", name=f"Print-ready picture of {what}", exact=True).click()
+    dialog = page.get_by_role("dialog", name="Figure for print")
+    expect(dialog.locator(".publish-preview img").first).to_be_visible(timeout=READY_MS)
+    return dialog
+
+
+def saved(page: Page, dialog: Any, kind: str) -> bytes:
+    """Save the figure and return the file."""
+    with page.expect_download() as download:
+        dialog.get_by_role("button", name=f"Save as {kind.upper()}").click()
+    assert download.value.suggested_filename.endswith(f"-print.{kind}")
+    return download.value.path().read_bytes()
+
+
+def chunks(png: bytes) -> Iterator[tuple[bytes, bytes]]:
+    """Parts of a PNG, read as its specification has them."""
+    file = io.BytesIO(png[8:])
+    while head := file.read(8):
+        length, kind = struct.unpack(">I4s", head)
+        yield kind, file.read(length)
+        file.read(4)
+
+
+def mm(root: ET.Element, side: str) -> float:
+    """Width or height of an SVG, which has to be in mm."""
+    written = root.attrib[side]
+    assert written.endswith("mm")
+    return float(written.removesuffix("mm"))
+
+
+@pytest.mark.parametrize(("width", "points"), [(85, 7), (174, 9)])
+def test_size_and_letters_are_those_asked_for(quiet_page: Page, width: int, points: int) -> None:
+    dialog = sheet(opened(quiet_page, "?models=schlick"))
+    dialog.get_by_label("Width, mm").fill(str(width))
+    dialog.get_by_label("Letters, pt").fill(str(points))
+    root = ET.fromstring(saved(quiet_page, dialog, "svg"))  # noqa: S314 (made by the page)
+    assert mm(root, "width") == pytest.approx(width, abs=1e-3)
+    assert mm(root, "height") > 60  # the caption stands below
+    px = float(root.attrib["viewBox"].split()[2])
+    ticks = root.findall(f".//{SVG}g[@class='xtick']/{SVG}text")
+    sizes = {re.findall(r"font-size: ([\d.]+)px", tick.attrib["style"])[0] for tick in ticks}
+    assert len(sizes) == 1
+    assert float(sizes.pop()) * width / px / MM_PER_POINT == pytest.approx(points, rel=1e-3)
+
+
+def test_caption_has_parameters_and_sources(quiet_page: Page) -> None:
+    page = opened(quiet_page, "?n_t=1.7&models=schlick")
+    dialog = sheet(page)
+    box = dialog.get_by_label("Text of the caption")
+    caption = box.input_value()
+    reference = page.request.get("/api/v1/models/schlick").json()["reference"].rstrip(".")
+    version = page.request.get("/api/v1/health").json()["version"]
+    assert "n_t = 1.7" in caption
+    assert reference in caption
+    assert f"Fresnel Explorer {version}, {page.url}" in caption
+    box.fill("A title of my own & <mine>")
+    text = "".join(ET.fromstring(saved(page, dialog, "svg")).itertext())  # noqa: S314
+    assert "A title of my own & <mine>" in text
+    assert "Fresnel Explorer" not in text
+    dialog.get_by_label("Caption below the figure").uncheck()
+    root = ET.fromstring(saved(page, dialog, "svg"))  # noqa: S314
+    assert mm(root, "height") == pytest.approx(60, abs=1e-3)
+    assert "my own" not in "".join(root.itertext())
+
+
+@pytest.mark.parametrize(
+    ("ground", "corner"),
+    [("white", [255, 255, 255, 255]), ("transparent", [0] * 4), ("dark slides", [0] * 4)],
+)
+def test_png_has_its_ground_and_says_its_size(
+    quiet_page: Page, ground: str, corner: list[int]
+) -> None:
+    quiet_page.emulate_media(color_scheme="dark")
+    page = opened(quiet_page)
+    dialog = sheet(page)
+    option = dialog.locator("option", has_text=re.compile(f"{ground}$")).get_attribute("value")
+    dialog.get_by_label("Ground").select_option(option)
+    png = saved(page, dialog, "png")
+    parts = dict(chunks(png))
+    width, _ = struct.unpack(">II", parts[b"IHDR"][:8])
+    x, y, unit = struct.unpack(">IIB", parts[b"pHYs"])
+    assert (x, unit) == (y, 1)
+    assert width / x * 1000 == pytest.approx(85, abs=0.1)
+    assert page.evaluate(PIXELS, list(png)) == corner
+
+
+def test_what_cannot_be_is_said_and_not_saved(quiet_page: Page) -> None:
+    dialog = sheet(opened(quiet_page))
+    dialog.get_by_label("Width, mm").fill("5")
+    dialog.get_by_role("button", name="Save as SVG").click()
+    expect(dialog.get_by_role("alert")).to_have_text("Width, mm: 30 to 400")
+    dialog.get_by_label("Width, mm").fill("40")
+    dialog.get_by_label("Letters, pt").fill("24")
+    expect(dialog.get_by_role("alert")).to_contain_text("24 pt letters need a width of")
+    quiet_page.keyboard.press("Escape")
+    expect(dialog).to_be_hidden()
+    expect(quiet_page.get_by_role("button", name="Print-ready picture of plot")).to_be_focused()
+
+
+@pytest.mark.parametrize(
+    ("view", "what", "count"),
+    [("compare", "curves", 1), ("albedo", "map", 1), ("materials", "“Over the wavelength”", 1)],
+)
+def test_other_views_have_it(quiet_page: Page, view: str, what: str, count: int) -> None:
+    quiet_page.goto(f"/?view={view}")
+    quiet_page.locator(".js-plotly-plot .main-svg").first.wait_for(timeout=READY_MS)
+    quiet_page.wait_for_load_state("networkidle")
+    dialog = sheet(quiet_page, what)
+    assert dialog.locator(".publish-preview img").count() == count
+    root = ET.fromstring(saved(quiet_page, dialog, "svg"))  # noqa: S314
+    assert mm(root, "width") == pytest.approx(85, abs=1e-3)
