@@ -7,7 +7,7 @@ import { h } from "./dom.js";
  * @typedef {import("./plot/publication.js").Publication} Publication
  * @typedef {object} Published a figure that can be drawn for a publication
  * @property {(format: 'png' | 'svg', publication: Publication) => Promise<Blob>} exportAs
- * @property {() => {name: string, ids: string[]}} about its title, and what is drawn in it
+ * @property {() => {name: string, ids: readonly string[]}} about its title, and what is drawn in it
  */
 
 /**
@@ -16,9 +16,10 @@ import { h } from "./dom.js";
  * @param {() => string} options.name of the file, without ending
  * @param {(format: Format) => Promise<Blob | Blob[]>} options.make
  * @param {(name: string, blob: Blob) => void} options.save
- * @param {() => Published[]} [options.figures] those that can be set up for a publication
+ * @param {{figures: () => Published[], call: string}} [options.print] what can be set up for a
+ *   publication, and a part of the REST call on the page that it shows
  */
-export function createExports({ what, name, make, save, figures }) {
+export function createExports({ what, name, make, save, print }) {
   /** @param {Format} kind */
   async function take(kind) {
     const made = [await make(kind)].flat();
@@ -41,7 +42,7 @@ export function createExports({ what, name, make, save, figures }) {
         kind.toUpperCase(),
       ),
     ),
-    figures &&
+    print &&
       h(
         "button",
         {
@@ -50,7 +51,7 @@ export function createExports({ what, name, make, save, figures }) {
           "aria-label": `Print-ready picture of ${what.replace(/^the /u, "")}`,
           onclick: async () => {
             const { publish } = await import("./publish/dialog.js");
-            publish({ figures: figures(), name: name(), save });
+            publish({ figures: print.figures(), call: print.call, name: name(), save });
           },
         },
         "For print…",

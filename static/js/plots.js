@@ -44,7 +44,7 @@ import { readTheme } from "./plot/theme.js";
  * @property {(changes: Partial<Pick<PlotOptions, "name" | "x" | "y" | "y2">>) => void} axes
  *   takes effect with the next `draw`; `y2: null` takes the second axis away
  * @property {(format: "png" | "svg" | "csv", publication?: import("./plot/publication.js").Publication) => Promise<Blob>} exportAs
- * @property {() => {name: string, ids: string[]}} about its title, and the curves in it
+ * @property {() => {name: string, ids: readonly string[]}} about its title, and the curves in it
  * @property {(format: "png" | "svg" | "csv") => string} filename
  * @property {() => HTMLTableElement} table
  * @property {() => void} theme
@@ -347,7 +347,7 @@ export function createPlot(element, options) {
           type: "text/csv;charset=utf-8",
         });
       }
-      const { exportFigure, imageOf } = await import("./plot/export.js");
+      const { exportFigure, imageOf, PRINT_PADDING } = await import("./plot/export.js");
       const { width, height } = arrangement?.size ?? { width: 960, height: 600 };
       const wide = Math.min(Math.max(width, EXPORT_WIDTH.least), EXPORT_WIDTH.most);
       const size = { width: Math.round(wide), height: Math.round((wide * height) / width) + 40 };
@@ -366,7 +366,14 @@ export function createPlot(element, options) {
       const { ground, caption } = publication;
       return onGround(element, ground, (inks) =>
         imageOf(
-          exportFigure({ ...picture, title: "", caption, theme: inks, size: drawing }),
+          exportFigure({
+            ...picture,
+            title: "",
+            caption,
+            theme: inks,
+            size: drawing,
+            padding: PRINT_PADDING,
+          }),
           format,
           mmPerPx,
         ),

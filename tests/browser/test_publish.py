@@ -11,6 +11,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.explore_page import READY_MS, opened
+from tests.browser.test_accessible import AXE
 
 SVG = "{http://www.w3.org/2000/svg}"
 MM_PER_POINT = 25.4 / 72
@@ -78,8 +79,9 @@ def test_caption_has_parameters_and_sources(quiet_page: Page) -> None:
     caption = box.input_value()
     reference = page.request.get("/api/v1/models/schlick").json()["reference"].rstrip(".")
     version = page.request.get("/api/v1/health").json()["version"]
-    assert "n_t = 1.7" in caption
+    assert "n_i = 1; n_t = 1.7; k_t = 0" in caption
     assert reference in caption
+    assert "albedo" not in caption  # a fit of the albedo has the same id
     assert f"Fresnel Explorer {version}, {page.url}" in caption
     box.fill("A title of my own & <mine>")
     text = "".join(ET.fromstring(saved(page, dialog, "svg")).itertext())  # noqa: S314
@@ -137,3 +139,60 @@ def test_other_views_have_it(quiet_page: Page, view: str, what: str, count: int)
     assert dialog.locator(".publish-preview img").count() == count
     root = ET.fromstring(saved(quiet_page, dialog, "svg"))  # noqa: S314
     assert mm(root, "width") == pytest.approx(85, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("query", "what", "materials"),
+    [
+        ("view=materials&plot_of=F0", "“Over the wavelength”", ("Au", "Au-Johnson")),
+        ("view=compare&material=Cu", "curves", ("Cu",)),
+    ],
+)
+def test_caption_cites_the_measurements(
+    quiet_page: Page, query: str, what: str, materials: tuple[str, ...]
+) -> None:
+    quiet_page.goto(f"/?{query}")
+    quiet_page.locator(".js-plotly-plot .main-svg").first.wait_for(timeout=READY_MS)
+    quiet_page.wait_for_load_state("networkidle")
+    caption = sheet(quiet_page, what).get_by_label("Text of the caption").input_value()
+    for material in materials:
+        described = quiet_page.request.get(f"/api/v1/materials/{material}").json()
+        assert described["source"].rstrip(".") in caption
+        assert all(doi in caption for doi in described["doi"])
+
+
+def test_what_is_written_stays_on_the_picture(quiet_page: Page) -> None:
+    models = "schlick,schlick_ior,lazanyi2005,spherical_gaussian,cook_torrance"
+    page = opened(quiet_page, f"?models={models}")
+    dialog = sheet(page)
+    dialog.get_by_label("Text of the caption").fill("n_i n_t k_t theta_i_deg 1 " * 12)
+    dialog.get_by_label("Width, mm").fill("60")
+    source = saved(page, dialog, "svg").decode()
+    outside = page.evaluate(
+        """(source) => {
+          const host = document.body.appendChild(document.createElement("div"));
+          host.innerHTML = source;
+          const edge = host.querySelector("svg").getBoundingClientRect();
+          const texts = [...host.querySelectorAll("text")].filter((text) => text.textContent.trim());
+          const names = texts.map((text) => text.textContent);
+          return [names.join(" "), texts.filter((text) => {
+            const box = text.getBoundingClientRect();
+            return box.left < edge.left || box.right > edge.right + 0.5 || box.bottom > edge.bottom;
+          }).map((text) => text.textContent)];
+        }""",
+        source,
+    )
+    assert "Lazanyi" in outside[0]
+    assert "theta_i_deg" in outside[0]
+    assert outside[1] == []
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_axe_finds_nothing(quiet_page: Page, theme: str) -> None:
+    quiet_page.emulate_media(color_scheme="dark" if theme == "dark" else "light")
+    dialog = sheet(opened(quiet_page))
+    dialog.get_by_label("Width, mm").fill("5")
+    expect(dialog.get_by_role("alert")).not_to_be_empty()
+    quiet_page.evaluate(AXE.read_text(encoding="utf-8"))
+    found = quiet_page.evaluate("() => axe.run()")
+    assert [(v["id"], v["nodes"][0]["html"]) for v in found["violations"]] == []

@@ -148,7 +148,7 @@ export function createMap(parent, { actions, state, save }) {
         what: "the map",
         name: () => "fresnel-albedo-map",
         make: (format) => map.exportAs(format),
-        figures: () => [map],
+        print: { figures: () => [map], call: "/albedo/map" },
         save,
       }),
     ),
@@ -207,6 +207,7 @@ export function createMap(parent, { actions, state, save }) {
       { x: answer.n_t, y: answer.k_t, z: answer.values },
       {
         name: fit ? `${fit.title}: ${WHAT[answer.show]}` : "Exact albedo",
+        ids: fit && answer.show !== "exact" ? [fit.id] : [],
         x: { title: "second index n_t", short: "n_t", column: "n_t", range: range.x },
         y: { title: "extinction k_t", short: "k_t", column: "k_t", range: range.y },
         z: {

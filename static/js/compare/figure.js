@@ -148,7 +148,7 @@ export function createFigure({ parent, catalog, actions, save }) {
     what: "the figure of the error",
     name: () => `fresnel-error-${now?.over ?? "n"}`,
     make: (format) => shown().exportAs(format),
-    figures: () => [shown()],
+    print: { figures: () => [shown()], call: "/errors/" },
     save,
   });
   const hint = h("p", { class: "hint" });
@@ -286,6 +286,7 @@ export function createFigure({ parent, catalog, actions, save }) {
         { ...grid, x: pointwise ? grid.x.map((d) => inUnit(d, state.angle)) : grid.x },
         {
           name: `${title}: ${what}`,
+          ids: [grid.model],
           x,
           y: pointwise ? { ...N_AXIS, range: ends(grid.y) } : { ...K_AXIS, range: ends(grid.y) },
           z: {

@@ -52,7 +52,7 @@ export function createPlots({ parent, models, actions, save }) {
       what: `the ${label}`,
       name: () => name,
       make: (format) => plot().exportAs(format),
-      figures: () => [plot()],
+      print: { figures: () => [plot()], call: "/curves" },
       save,
     });
   const kind = createChoice({

@@ -44,3 +44,13 @@ export function createMeasure({ family, symbolFamily, size, weight = 400, symbol
     return width;
   };
 }
+
+/**
+ * The same for text that is written as it stands, underscores and all.
+ * @param {string} font a CSS font shorthand
+ * @returns {Measure}
+ */
+export function createPlainMeasure(font) {
+  const advance = advances(font);
+  return (text) => [...text].reduce((width, character) => width + advance(character), 0);
+}

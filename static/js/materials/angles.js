@@ -77,6 +77,7 @@ export function createAngles({ parent, actions, save }) {
     hosts: [h("div", { class: "plot-host" }, host)],
     figures: () => [plot],
     filename: () => `${now?.preset ?? "material"}-R-theta`,
+    call: "rgb=false",
     save,
   });
   const plot = createPlot(host, {

@@ -68,6 +68,7 @@ export function createColors({ parent, catalog, actions, save }) {
     ),
     figures: () => plots,
     filename: () => `${now?.preset ?? "material"}-schlick`,
+    call: "curves?models=",
     save,
   });
   panel.element.append(

@@ -38,6 +38,7 @@ export function createMap({ parent, actions, save }) {
     hosts: [h("div", { class: "plot-host" }, host)],
     figures: () => [map],
     filename: () => `${now?.preset ?? "material"}-theta-lambda`,
+    call: "/map",
     save,
   });
   const map = createHeatmap(host, {

@@ -18,6 +18,7 @@ import { createExports } from "../exports.js";
  * @param {HTMLElement[]} options.hosts of the plots, one below or beside the other
  * @param {() => Figure[]} options.figures
  * @param {() => string} options.filename without ending
+ * @param {string} options.call a part of the REST call that it shows
  * @param {(name: string, blob: Blob) => void} options.save
  */
 export function createPanel({
@@ -28,13 +29,14 @@ export function createPanel({
   hosts,
   figures,
   filename,
+  call,
   save,
 }) {
   const exports = createExports({
     what: `“${title}”`,
     name: filename,
     make: (kind) => Promise.all(figures().map((figure) => figure.exportAs(kind))),
-    figures,
+    print: { figures, call },
     save,
   });
   const heading = h("h2", {}, title);

@@ -84,6 +84,7 @@ export function createSpectrum({ parent, catalog, actions, save }) {
     hosts: [h("div", { class: "plot-host" }, host)],
     figures: () => [plot],
     filename: () => `${now?.preset ?? "material"}-${now?.plot_of === "F0" ? "F0" : "n-k"}`,
+    call: "/spectrum",
     save,
   });
   const plot = createPlot(host, {

@@ -1,9 +1,10 @@
 /** A plot as a file that stands alone: title, names, marks and background included. */
 
-import { createMeasure } from "../draw/measure.js";
+import { createMeasure, createPlainMeasure } from "../draw/measure.js";
 import { plainText, plotlyText } from "../draw/symbols.js";
 import { bandShapes, CONFIG, plotlyLayout, plotlyTraces } from "./figure.js";
 import { fontFaces, rasterized, withStyle } from "./image.js";
+import { keyRows } from "./key-rows.js";
 import { placeLabels } from "./labels.js";
 import { arrange } from "./layout.js";
 import { placeMarkNames } from "./marks.js";
@@ -14,25 +15,27 @@ import { onPaper, withDensity, wrapped } from "./publication.js";
 /** @typedef {import("./model.js").Mark} Mark */
 
 const HEADER = 32;
-const LEGEND_ROW = 22;
 const LABEL_SIZE = 17;
 const SCALE = 2;
 const PADDING = 12;
 const CAPTION_LINE = 15;
 const CAPTION_GAP = 6;
+/** A figure in a document has its room around it there. */
+export const PRINT_PADDING = 2;
 const DOTS_PER_MM = 600 / 25.4;
 
 /**
  * @param {object} picture
  * @param {string} picture.title above the plot, unless it is empty
  * @param {readonly string[]} [picture.caption] paragraphs below it
+ * @param {number} [picture.padding] on every side, px
  * @param {readonly Trace[]} picture.traces
  * @param {readonly Mark[]} picture.marks
  * @param {readonly import("./model.js").Band[]} [picture.bands]
  * @param {number} [picture.most] names at the curves
  * @param {import("./layout.js").Axes} picture.axes
  * @param {import("./theme.js").Theme} picture.theme
- * @param {import("./model.js").Size} picture.size without the caption
+ * @param {import("./model.js").Size} picture.size without legend and caption
  * @returns {Plotly.Figure}
  */
 export function exportFigure({
@@ -45,36 +48,43 @@ export function exportFigure({
   theme,
   size,
   caption = [],
+  padding = PADDING,
 }) {
   const { family, symbolFamily } = theme;
   const text = createMeasure({ family, symbolFamily, size: 12 });
   const label = createMeasure({ family, symbolFamily, size: 13, symbolSize: LABEL_SIZE });
   const landmarks = marks.filter((mark) => mark.kind === "landmark");
   const named = traces.filter((trace) => !trace.bare);
-  const legend = named.length > most;
-  const layoutSize = { width: size.width, height: size.height - (legend ? LEGEND_ROW : 0) };
   const arrangement = arrange({
-    size: layoutSize,
+    size,
     axes,
     traces,
     measure: text,
     marksRow: landmarks.length > 0,
     header: title ? HEADER : 0,
-    padding: PADDING,
+    padding,
   });
   const { frame, xPixel, yPixel, margins } = arrangement;
   const layout = plotlyLayout(axes, arrangement, theme);
-  const below = captioned(caption, arrangement, legend ? LEGEND_ROW : 0, theme);
+  const legend = keyRows(named.length > most ? named : [], text, {
+    left: padding,
+    right: size.width - padding,
+    top: size.height,
+  });
+  const below = captioned(caption, arrangement, legend.height, theme);
+  const height = size.height + legend.height + below.height;
   const annotations = [...(layout.annotations ?? []), ...below.annotations];
-  /** @param {number} x @param {number} y @param {string} words @param {object} font */
-  const write = (x, y, words, font) => {
+  const paperX = (/** @type {number} */ x) => (x - frame.x) / frame.width;
+  const paperY = (/** @type {number} */ y) => 1 - (y - frame.y) / frame.height;
+  /** @param {number} x @param {number} y @param {string} words @param {object} font @param {string} [xanchor] */
+  const write = (x, y, words, font, xanchor = "center") => {
     annotations.push({
       text: words,
       xref: "paper",
       yref: "paper",
-      x: (x - frame.x) / frame.width,
-      y: 1 - (y - frame.y) / frame.height,
-      xanchor: "center",
+      x: paperX(x),
+      y: paperY(y),
+      xanchor,
       yanchor: "middle",
       showarrow: false,
       borderpad: 0,
@@ -97,7 +107,7 @@ export function exportFigure({
   shapes.push(...uprights);
   const names = placeMarkNames({
     frame,
-    reserved: PADDING + text(axes.y.title),
+    reserved: padding + text(axes.y.title),
     marks: landmarks.map((mark) => ({ x: xPixel(mark.x), width: text(mark.label) })),
   });
   landmarks.forEach((mark, index) => {
@@ -119,7 +129,24 @@ export function exportFigure({
     });
   }
 
-  if (!legend) {
+  for (const { trace, line, text: x, y } of legend.entries) {
+    shapes.push({
+      type: "line",
+      xref: "paper",
+      yref: "paper",
+      x0: paperX(line[0]),
+      x1: paperX(line[1]),
+      y0: paperY(y),
+      y1: paperY(y),
+      line: {
+        color: theme.color(trace.color),
+        width: trace.width ?? 2,
+        dash: trace.dash ?? "solid",
+      },
+    });
+    write(x, y, plotlyText(trace.label), { size: 12, color: theme.ink }, "left");
+  }
+  if (legend.entries.length === 0) {
     const placed = placeLabels({
       frame,
       uprights: marks.map((mark) => xPixel(mark.x)),
@@ -154,27 +181,15 @@ export function exportFigure({
         y: 1,
         yref: "container",
         yanchor: "top",
-        pad: { l: PADDING, t: PADDING + 4 },
+        pad: { l: padding, t: padding + 4 },
         font: { size: 16, color: theme.ink },
       },
-      height: size.height + below.height,
+      height,
       annotations,
       shapes,
       paper_bgcolor: theme.paper,
       plot_bgcolor: theme.paper,
-      showlegend: legend,
-      margin: { ...layout.margin, b: margins.bottom + (legend ? LEGEND_ROW : 0) + below.height },
-      legend: {
-        orientation: "h",
-        x: PADDING / size.width,
-        xref: "container",
-        xanchor: "left",
-        y: below.height / (size.height + below.height),
-        yref: "container",
-        yanchor: "bottom",
-        itemwidth: 44,
-        font: { size: 12, color: theme.ink },
-      },
+      margin: { ...layout.margin, b: height - size.height + margins.bottom },
     },
     config: { ...CONFIG, staticPlot: true },
   };
@@ -183,23 +198,23 @@ export function exportFigure({
 /**
  * Paragraphs as lines below a picture, and the room they take.
  * @param {readonly string[]} paragraphs
- * @param {{size: import("./model.js").Size, margins: import("./model.js").Margins}} arrangement
- * @param {number} legendRow room of a legend above them
+ * @param {Pick<import("./layout.js").Arrangement, "size" | "margins" | "padding">} arrangement
+ * @param {number} above room of a legend between the plot and them
  * @param {import("./theme.js").Theme} theme
  */
-export function captioned(paragraphs, { size, margins }, legendRow, { family, symbolFamily, ink }) {
+export function captioned(paragraphs, { size, margins, padding }, above, { family, ink }) {
   const font = { size: 11, color: ink };
-  const measure = createMeasure({ family, symbolFamily, size: font.size });
-  const lines = wrapped(paragraphs, measure, size.width - 2 * PADDING);
+  const measure = createPlainMeasure(`${font.size}px ${family}`);
+  const lines = wrapped(paragraphs, measure, size.width - 2 * padding);
   const height = lines.length ? lines.length * CAPTION_LINE + CAPTION_GAP : 0;
-  const below = margins.bottom + legendRow;
+  const below = margins.bottom + above;
   const annotations = lines.map((line, index) => ({
     text: line.replace(/&/gu, "&amp;").replace(/</gu, "&lt;"),
     xref: "paper",
     yref: "paper",
     x: 0,
     y: 0,
-    xshift: PADDING - margins.left,
+    xshift: padding - margins.left,
     yshift: -(below + index * CAPTION_LINE),
     xanchor: "left",
     yanchor: "top",

@@ -12,7 +12,7 @@ import { plain } from "../format.js";
 import { createCells, putCells } from "./cells.js";
 import { scaleOf, stops } from "./colors.js";
 import { contour } from "./contour.js";
-import { captioned, imageOf } from "./export.js";
+import { captioned, imageOf, PRINT_PADDING } from "./export.js";
 import { CONFIG, plotlyLayout, unitSuffix } from "./figure.js";
 import { gridCsv, gridTable } from "./grid.js";
 import { drawKey } from "./key.js";
@@ -35,6 +35,7 @@ import { readTheme } from "./theme.js";
  * @property {Axis} y
  * @property {Values} z
  * @property {readonly import("./regions.js").Region[]} [regions] to be outlined
+ * @property {readonly string[]} [ids] of the models or fits that it shows
  * @property {(x: number, y: number) => void} onPick
  */
 
@@ -56,7 +57,7 @@ function reaches(z, [low, high]) {
 
 /** @param {HTMLElement} element @param {MapOptions} options */
 export function createHeatmap(element, options) {
-  let { name, x: xAxis, y: yAxis, z: values, regions = [] } = options;
+  let { name, x: xAxis, y: yAxis, z: values, regions = [], ids = [] } = options;
   element.classList.add("plot", "heatmap");
   element.setAttribute("role", "figure");
   const area = document.createElement("div");
@@ -194,8 +195,8 @@ export function createHeatmap(element, options) {
     };
   }
 
-  /** @param {{width: number, height: number}} size @param {number} [header] @param {import("./theme.js").Theme} [inks] */
-  function arranged(size, header = 0, inks = theme) {
+  /** @param {{width: number, height: number}} size @param {{header?: number, padding?: number}} [around] @param {import("./theme.js").Theme} [inks] */
+  function arranged(size, around = {}, inks = theme) {
     const measure = createMeasure({ ...inks, size: 12 * inks.unit });
     return arrange({
       size,
@@ -204,7 +205,7 @@ export function createHeatmap(element, options) {
       measure,
       marksRow: false,
       unit: inks.unit,
-      header,
+      ...around,
     });
   }
 
@@ -217,9 +218,10 @@ export function createHeatmap(element, options) {
    * @returns {Plotly.Figure}
    */
   function framedFigure(size, inks, title, caption = []) {
-    const layout = arranged({ ...size, width: size.width - KEY_WIDTH }, title ? 40 : 0, inks);
+    const around = title ? { header: 40 } : { padding: PRINT_PADDING };
+    const layout = arranged({ ...size, width: size.width - KEY_WIDTH }, around, inks);
     const bare = bareLayout(layout, inks);
-    const below = captioned(caption, { size, margins: layout.margins }, 0, inks);
+    const below = captioned(caption, { ...layout, size }, 0, inks);
     const bar = {
       title: { text: plainText(values.title), side: "right" },
       outlinewidth: 0,
@@ -357,7 +359,7 @@ export function createHeatmap(element, options) {
   observer.observe(area);
 
   return {
-    /** @param {Grid} next @param {Partial<Pick<MapOptions, "name" | "x" | "y" | "z" | "regions">>} [changes] */
+    /** @param {Grid} next @param {Partial<Pick<MapOptions, "name" | "x" | "y" | "z" | "regions" | "ids">>} [changes] */
     draw(next, changes = {}) {
       grid = next;
       name = changes.name ?? name;
@@ -365,6 +367,7 @@ export function createHeatmap(element, options) {
       yAxis = changes.y ?? yAxis;
       values = changes.z ?? values;
       regions = changes.regions ?? regions;
+      ids = changes.ids ?? ids;
       probe = null;
       scale = values.range
         ? {
@@ -383,7 +386,7 @@ export function createHeatmap(element, options) {
       current = { x, y };
       placeCross();
     },
-    about: () => ({ name, ids: /** @type {string[]} */ ([]) }),
+    about: () => ({ name, ids }),
     /** @param {'png' | 'svg' | 'csv'} format @param {import("./publication.js").Publication} [publication] */
     async exportAs(format, publication) {
       if (!grid) throw new Error("there is no map yet");

@@ -8,7 +8,7 @@ import { captionOf } from "./caption.js";
 /**
  * @typedef {import("../exports.js").Published} Published
  * @typedef {import("../plot/publication.js").Publication} Publication
- * @typedef {{figures: Published[], name: string, save: (name: string, blob: Blob) => void}} Task
+ * @typedef {{figures: Published[], call: string, name: string, save: (name: string, blob: Blob) => void}} Task
  */
 
 const GROUNDS = /** @type {const} */ ([
@@ -25,7 +25,7 @@ const REST = 250; // ms without a change before the preview is drawn
 
 function createDialog() {
   /** @type {Task} */
-  let task = { figures: [], name: "", save: () => {} };
+  let task = { figures: [], call: "", name: "", save: () => {} };
   const ground = h(
     "select",
     { name: "ground" },
@@ -145,8 +145,11 @@ function createDialog() {
       task = next;
       preview.replaceChildren();
       dialog.showModal();
+      const calls = [...document.querySelectorAll("#calls code")].map((code) =>
+        (code.textContent ?? "").replace(/^GET \/api\/v1/u, ""),
+      );
       const page = {
-        calls: [...document.querySelectorAll("#calls code")].map((code) => code.textContent ?? ""),
+        call: calls.find((call) => call.includes(task.call)) ?? "",
         href: location.href,
         version: (document.querySelector("#version")?.textContent ?? "").replace(/^v/u, ""),
       };

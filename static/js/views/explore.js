@@ -75,7 +75,7 @@ export function createView({
     what: "the plot",
     name: () => "fresnel-curves",
     make: (kind) => plot.exportAs(kind),
-    figures: () => [plot],
+    print: { figures: () => [plot], call: "/curves" },
     save,
   });
 
