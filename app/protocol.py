@@ -7,14 +7,18 @@ from __future__ import annotations
 
 import asyncio
 from asyncio.events import TimerHandle
+from enum import Enum, auto
 from http import HTTPStatus
 from typing import Any, cast
 
 import uvicorn
+from starlette.types import Scope
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 from uvicorn.server import ServerState
 
 from app.api.problems import API_HEADERS, MEDIA_TYPE, problem_bytes
+from app.lingering import LingeringTransport
+from app.observe.middleware import OBSERVED, Observed, identify
 from app.settings import Settings
 
 
@@ -45,12 +49,22 @@ class Config(uvicorn.Config):
         self.settings = settings
 
 
-_LINGER_S = 2.0
-"""How long a client that was refused may take to stop sending."""
+_SPARE_CONNECTIONS = 100
+"""How many that are one too many may be told so before they are closed without a word."""
 
 
 class Refused(Exception):
     """Stops the parser."""
+
+
+class _Came(Enum):
+    """What has come of the request that is being read."""
+
+    NOTHING = auto()
+    HEAD = auto()
+    """A part of it."""
+    BODY = auto()
+    """The whole head, and perhaps a part of the body."""
 
 
 class BoundedProtocol(HttpToolsProtocol):
@@ -58,6 +72,7 @@ class BoundedProtocol(HttpToolsProtocol):
 
     A client has `read_timeout_s` for the head of a request and for each further part of it, and has
     to take some of an answer within every `write_timeout_s`; none keeps a connection for longer.
+    Every request that came whole is answered, in order, whatever comes after it.
     """
 
     def __init__(
@@ -70,16 +85,21 @@ class BoundedProtocol(HttpToolsProtocol):
         super().__init__(config, server_state, app_state, _loop)
         self._settings = cast("Config", config).settings
         self._refusal: tuple[int, str] | None = None
-        self._in_head = self._in_request = True
+        self._came = _Came.NOTHING
+        self._began = self.loop.time()
         self._head_bytes = self._header_bytes = self._unsent = 0
         self._read_timer: TimerHandle | None = None
         self._write_timer: TimerHandle | None = None
+        self._has_ended = False
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Take a connection, if there is room for one more."""
-        super().connection_made(transport)
+        lingering = LingeringTransport(transport, self._is_expecting, self._settings.read_timeout_s)
+        super().connection_made(cast("asyncio.Transport", lingering))
         most = self._settings.max_connections
-        if len(self.connections) > most:
+        if len(self.connections) > most + _SPARE_CONNECTIONS:
+            transport.abort()
+        elif len(self.connections) > most:
             self._refuse(503, f"{most} connections are open, and no more are taken", "connections")
         else:
             self._wait_for_more()
@@ -90,12 +110,39 @@ class BoundedProtocol(HttpToolsProtocol):
         self._stop_reading()
         self._stop_writing()
 
+    def eof_received(self) -> bool:  # type: ignore[override]
+        """Answer what a client has asked that says no more, then hang up."""
+        self._has_ended = True
+        if self.transport.is_closing():
+            return False
+        if self._refusal is not None:  # told when what came before is answered
+            return True
+        if self._came is not _Came.NOTHING:
+            self._refuse(400, "the connection ended before the request did")
+            return True
+        if self._is_answering():
+            self.cycle.keep_alive = False
+            return True
+        return False
+
+    def _is_refused(self) -> bool:
+        return self._refusal is not None
+
+    def _is_answering(self) -> bool:
+        return self.cycle is not None and not self.cycle.response_complete
+
+    def _is_expecting(self) -> bool:
+        """Whether the client may still be sending what nobody will read."""
+        more = self._refusal is not None or self._came is not _Came.NOTHING
+        return more and not self._has_ended
+
     # ---- how much a client sends
 
     def on_message_begin(self) -> None:
         """Begin to count."""
         super().on_message_begin()
-        self._in_head = self._in_request = True
+        self._came = _Came.HEAD
+        self._began = self.loop.time()
         self._head_bytes = self._header_bytes = 0
 
     def on_url(self, url: bytes) -> None:
@@ -116,8 +163,8 @@ class BoundedProtocol(HttpToolsProtocol):
 
     def on_headers_complete(self) -> None:
         """Begin to answer."""
-        self._in_head = False
         super().on_headers_complete()
+        self._came = _Came.BODY
 
     def on_body(self, body: bytes) -> None:
         """Give the next part of a body as long as the one before."""
@@ -126,21 +173,29 @@ class BoundedProtocol(HttpToolsProtocol):
 
     def on_message_complete(self) -> None:
         """Note that the client has said all."""
-        self._in_request = False
+        self._came = _Came.NOTHING
         self._stop_reading()
         super().on_message_complete()
 
     def data_received(self, data: bytes) -> None:
         """Read on, and wait for the rest of a request, but not for ever."""
-        if self._refusal is not None:
+        if self._is_refused() or self.transport.is_closing():
             return
         super().data_received(data)
-        if self._in_request and self._refusal is None:
-            if self._in_head:  # what the parser still holds: one header may be all of it
-                self._head_bytes += len(data)
-                self._bound_headers(self._head_bytes - self._settings.max_target_bytes)
-            if self._read_timer is None:
-                self._wait_for_more()
+        if self._is_refused():
+            return
+        if self._came is _Came.NOTHING:
+            if not self._is_answering() and self.timeout_keep_alive_task is None:
+                # This was the rest of what had been answered before; the next may be long in coming.
+                self.timeout_keep_alive_task = self.loop.call_later(
+                    self.timeout_keep_alive, self.timeout_keep_alive_handler
+                )
+            return
+        if self._came is _Came.HEAD:  # what the parser still holds: one header may be all of it
+            self._head_bytes += len(data)
+            self._bound_headers(self._head_bytes - self._settings.max_target_bytes)
+        if self._read_timer is None:
+            self._wait_for_more()
 
     def _bound_headers(self, size: int) -> None:
         most = self._settings.max_header_bytes
@@ -160,7 +215,7 @@ class BoundedProtocol(HttpToolsProtocol):
     def _read_too_slow(self) -> None:
         if self.flow.read_paused:  # it is the application that takes its time
             self._wait_for_more()
-        elif self._in_head and not self._head_bytes:  # nothing was asked
+        elif self._came is _Came.NOTHING:
             self.transport.close()
         else:
             patience = self._settings.read_timeout_s
@@ -177,9 +232,14 @@ class BoundedProtocol(HttpToolsProtocol):
         self._stop_writing()
 
     def on_response_complete(self) -> None:
-        """Watch what is left to send on a connection that will be closed."""
-        super().on_response_complete()
-        if self.transport.is_closing():
+        """Go on with what was asked for next; watch what is left to send."""
+        closing = self.transport.is_closing()
+        if self._refusal is None or self.pipeline or closing:
+            super().on_response_complete()
+        else:
+            self.server_state.total_requests += 1
+            self._write_problem(*self._refusal)
+        if closing:
             self._watch_writing()
 
     def timeout_keep_alive_handler(self) -> None:
@@ -221,26 +281,36 @@ class BoundedProtocol(HttpToolsProtocol):
             detail += f" (FRESNEL_{setting.upper()})"
         self._refusal = status, detail
         self._stop_reading()
-        # Beside an answer that has begun, or that was asked for before, another would be misread.
-        cycle = self.cycle
-        if (
-            cycle is None
-            or cycle.response_complete
-            or not (self._in_head or cycle.response_started)
-        ):
-            self._write_problem(status, detail)
-        if status == HTTPStatus.SERVICE_UNAVAILABLE:  # before anything was read, to be rid of it
-            self.transport.close()
-        elif not self.transport.is_closing():
-            # Closed at once, with bytes that nobody read, the connection would be reset, and the
-            # client might never see the answer. What still comes is read and forgotten.
-            self.transport.write_eof()
-            self.loop.call_later(_LINGER_S, self.transport.close)
+        if self._came is not _Came.BODY:
+            # What was asked for before is answered first: told now, this would be taken for it.
+            if not self._is_answering():
+                self._write_problem(status, detail)
+        elif self.pipeline:
+            self.pipeline.popleft()  # the application has not seen it, and will not
+        elif self.cycle.response_complete:
+            self._hang_up()
+        elif self.cycle.response_started:
+            self.cycle.keep_alive = False
+        else:
+            self._write_problem(status, detail, cast("Scope", self.cycle.scope))
+            self.cycle.disconnected = True
+            self.cycle.message_event.set()
+
+    def _hang_up(self) -> None:
+        self.transport.close()
         self._watch_writing()
 
-    def _write_problem(self, status: int, detail: str) -> None:
+    def _write_problem(self, status: int, detail: str, scope: Scope | None = None) -> None:
         body = problem_bytes(status, detail, "")
+        asked = self._scope_so_far() if scope is None else scope
+        identify(asked)
+        observed: Observed | None = self.app_state.get(OBSERVED)
+        if scope is not None:  # the application logs and counts it
+            scope["refused"] = status, len(body)
+        elif observed is not None:
+            observed.refused(asked, status, len(body), self.loop.time() - self._began)
         headers = [
+            (b"x-request-id", asked["request_id"]),
             *self.server_state.default_headers,
             *API_HEADERS,
             (b"content-type", MEDIA_TYPE.encode()),
@@ -252,3 +322,18 @@ class BoundedProtocol(HttpToolsProtocol):
         reason = HTTPStatus(status).phrase.encode()
         lines = [b"HTTP/1.1 %d %s" % (status, reason), *(n + b": " + v for n, v in headers)]
         self.transport.write(b"\r\n".join([*lines, b"", body]))
+        self._hang_up()
+
+    def _scope_so_far(self) -> Scope:
+        """What is known of a request of which not all came, or of none."""
+        url = self.url if self._came is _Came.HEAD else b""
+        path, _, query = url.partition(b"?")
+        return {
+            "type": "http",
+            "method": self.parser.get_method().decode() if url else "",
+            "raw_path": path,
+            "path": path.decode("latin-1"),
+            "query_string": query,
+            "headers": self.headers if url else [],
+            "client": self.client,
+        }

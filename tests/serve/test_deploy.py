@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ipaddress
 import re
 from typing import Any
 
@@ -151,6 +152,17 @@ def test_a_server_has_the_time_to_stop_that_it_takes() -> None:
 def test_nginx_waits_and_takes_as_much_as_a_server() -> None:
     (seconds,) = re.findall(r"proxy_read_timeout (\d+)s;", NGINX)
     assert int(seconds) > Settings.model_fields["timeout_s"].default
+
+
+def test_the_servers_believe_nginx_and_only_what_is_inside() -> None:
+    compose = settings_of(COMPOSE["services"]["app"]["environment"]).trusted_proxies
+    (network,) = COMPOSE["networks"]["default"]["ipam"]["config"]
+    assert compose == network["subnet"]
+    for trusted in (compose, kubernetes_settings().trusted_proxies):
+        for part in trusted.split(","):
+            assert not ipaddress.ip_network(part).is_global
+    assert "proxy_set_header X-Forwarded-For $remote_addr;" in NGINX  # not what the client says
+    assert "ports" not in COMPOSE["services"]["app"]
 
 
 def test_the_autoscaler_scales_the_servers() -> None:
