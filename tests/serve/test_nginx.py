@@ -8,6 +8,7 @@ import signal
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
+from http.client import HTTPConnection
 
 import pytest
 import zstandard
@@ -121,8 +122,8 @@ def test_ids_are_those_of_the_request_though_the_answer_is_cached(site: Site) ->
 
 
 def test_the_servers_know_the_client_from_nginx_and_not_from_itself(site: Site) -> None:
-    connection = site.front.connect()
-    connection.source_address = ("127.0.0.9", 0)
+    port = site.front.port
+    connection = HTTPConnection("127.0.0.1", port, source_address=("127.0.0.9", 0))
     spoofed = {"X-Forwarded-For": "203.0.113.7", "X-Request-ID": "from-nine"}
     connection.request("GET", f"{API}/health", headers=spoofed)
     assert connection.getresponse().read()
