@@ -20,7 +20,7 @@ from app.api.model_parameters import (
     with_model_parameters,
 )
 from app.api.params import Count, InterfaceQuery, Number, TableQuery, number
-from app.api.presets import PresetInterface
+from app.api.presets import PresetInterface, preset_json
 from app.api.responses import CONVENTION, csv_body, json_body
 from app.api.route import QueryRoute
 from app.optics.albedo import (
@@ -165,7 +165,7 @@ def swept(query: SweepQuery) -> tuple[Array, Interface]:
 def _incident_json(query: SweepQuery) -> dict[str, Any] | None:
     interface = query.interface()
     named = interface.incident if isinstance(interface, PresetInterface) else None
-    return named.as_json() if named else None
+    return preset_json(named) if named else None
 
 
 def _spaced(name: str, minimum: float, maximum: float, steps: int, scale: Scale) -> Array:

@@ -11,6 +11,7 @@ from pydantic import BaseModel, BeforeValidator, Field, WithJsonSchema
 
 from app.api.answers import Answer
 from app.api.params import InterfaceQuery, Number, TableQuery, number
+from app.api.presets import preset_json
 from app.api.problems import BadParameters, ParameterError
 from app.api.responses import CONVENTION, json_body
 from app.api.route import QueryRoute
@@ -224,7 +225,7 @@ def router() -> APIRouter:
             "n_i": float(np.asarray(interface.n_i)),
             "seen_from": query.seen_from,
             "convention": CONVENTION,
-            "material": None if material is None else material.as_json(),
+            "material": None if material is None else preset_json(material),
             "results": results,
         }
         return json_body(payload, query.digits)

@@ -26,10 +26,11 @@ from app.api.model_parameters import (
     with_model_parameters,
 )
 from app.api.params import Count, InterfaceQuery, Number
-from app.api.presets import default_catalog, reported_as
+from app.api.presets import reported_as
 from app.api.responses import CONVENTION, csv_body, interface_json, json_body, shown_as
 from app.api.route import QueryRoute
 from app.api.schemas import InterfaceOut
+from app.materials import default_catalog
 from app.materials.appearance import color_curve
 from app.optics.albedo import albedo
 from app.optics.errors import NotAllowed

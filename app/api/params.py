@@ -16,21 +16,21 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from app.api.presets import (
-    PresetInterface,
+from app.api.presets import PresetInterface, reported_as
+from app.api.problems import BadParameters, ParameterError
+from app.materials import (
+    USELESS_WAVELENGTH,
     Resolved,
-    reported_as,
+    given_beside,
     resolve_incident,
     resolve_material,
 )
-from app.api.problems import BadParameters, ParameterError
 from app.optics.interface import Interface
-from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, Parameter
+from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, WAVELENGTH_NM, Parameter
 
 _ZERO = re.compile(r"-(0+\.?0*|\.0+)(e[+-]?\d+)?", re.IGNORECASE)
 
 MAX_SAMPLES = 20001
-MAX_WAVELENGTH_NM = 1e7
 
 
 def plain(text: object) -> object:
@@ -98,11 +98,11 @@ def wavelength(default: float | None, description: str, **options: Any) -> Any:
     """Pydantic field of a wavelength."""
     return Field(
         default,
-        gt=0.0,
-        le=MAX_WAVELENGTH_NM,
+        gt=WAVELENGTH_NM.minimum,
+        le=WAVELENGTH_NM.maximum,
         allow_inf_nan=False,
         description=description,
-        json_schema_extra={"unit": "nm", "symbol": r"\lambda"},
+        json_schema_extra={"unit": WAVELENGTH_NM.unit, "symbol": WAVELENGTH_NM.symbol},
         **options,
     )
 
@@ -144,7 +144,7 @@ class InterfaceQuery(QueryModel):
                 {
                     "parameter": "wavelength_nm",
                     "value": self.wavelength_nm,
-                    "message": "given although no material or incident depends on it",
+                    "message": USELESS_WAVELENGTH,
                 }
             )
         # The model is frozen to everybody but its own validation.
@@ -179,7 +179,7 @@ def refuse_beside(query: QueryModel, preset: str, *numbers: str) -> None:
         {
             "parameter": number,
             "value": getattr(query, number),
-            "message": f"given beside {preset} = {name}, which takes its place; leave one out",
+            "message": given_beside(preset, name),
         }
         for number in numbers
         if name is not None and number in query.model_fields_set

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import orjson
 
-from app.api.presets import PresetInterface
+from app.api.presets import PresetInterface, preset_json
 from app.optics.angles import brewster_deg, critical_deg, pseudo_brewster_deg
 from app.optics.interface import Interface
 from app.optics.parameters import Array
@@ -78,8 +78,8 @@ def interface_json(interface: Interface) -> dict[str, Any]:
         "brewster_deg": number_or_null(brewster_deg(interface)),
         "critical_deg": number_or_null(critical_deg(interface)),
         "pseudo_brewster_deg": number_or_null(pseudo_brewster_deg(interface)),
-        "incident": named.incident.as_json() if named and named.incident else None,
-        "material": named.material.as_json() if named and named.material else None,
+        "incident": preset_json(named.incident) if named and named.incident else None,
+        "material": preset_json(named.material) if named and named.material else None,
     }
 
 

@@ -7,14 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from app.batch.rows import Fault, Names, Rows, number_columns
+from app.batch.rows import NAMES, THREE, Fault, Names, Rows, number_columns
 from app.optics.parameters import Array
 from app.optics.registry import Registry
 
 if TYPE_CHECKING:
     import pyarrow as pa
-
-NAMES = ("model", "quantity")
 
 
 class WrongColumn(Exception):
@@ -60,7 +58,8 @@ def rows_of(batch: pa.RecordBatch, registry: Registry) -> Rows:
             continue
         kind = column.type
         if not (pa.types.is_integer(kind) or pa.types.is_floating(kind) or pa.types.is_null(kind)):
-            raise WrongColumn(name, f"of type {kind}; numbers are wanted")
+            hint = f"; {THREE}" if known[name].triple and pa.types.is_nested(kind) else ""
+            raise WrongColumn(name, f"of type {kind}; numbers are wanted{hint}")
         column = pc.cast(column, pa.float64(), safe=False)
         if column.null_count < len(column) and pc.any(pc.is_nan(column)).as_py():
             fault = Fault(name, "nan", known[name].allowed)

@@ -12,8 +12,9 @@ import pyarrow as pa
 import pyarrow.csv
 import pyarrow.parquet
 
-from app.batch.arrow import NAMES, WrongColumn, rows_of
-from app.batch.rows import evaluate, number_columns
+from app.batch.arrow import WrongColumn, rows_of
+from app.batch.evaluation import evaluate
+from app.batch.rows import NAMES, number_columns
 from app.optics.registry import default_registry
 
 if TYPE_CHECKING:

@@ -20,7 +20,8 @@ def evaluate(
             exists=True,
             dir_okay=False,
             help="CSV with a header row, or Parquet, with any of the columns n_i, n_t, k_t, "
-            "theta_i_deg, model, quantity and <model>.<parameter>; what is empty is left out.",
+            "incident, material, wavelength_nm, theta_i_deg, model, quantity and "
+            "<model>.<parameter>; what is empty is left out.",
         ),
     ],
     output: Annotated[

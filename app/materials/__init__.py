@@ -11,16 +11,30 @@ from app.materials.appearance import (
 )
 from app.materials.catalog import Catalog, Constants, Spread, load_catalog
 from app.materials.errors import NoSpectrum, UnknownMaterial, WavelengthOutOfRange
+from app.materials.media import (
+    NEGLIGIBLE_K,
+    USELESS_WAVELENGTH,
+    Resolved,
+    default_catalog,
+    given_beside,
+    indices_at,
+    resolve_incident,
+    resolve_material,
+    transparency_warnings,
+)
 from app.materials.schema import Category, Preset
 from app.materials.spectrum import Spectrum, Visible
 
 __all__ = [
+    "NEGLIGIBLE_K",
+    "USELESS_WAVELENGTH",
     "Appearance",
     "Catalog",
     "Category",
     "Constants",
     "NoSpectrum",
     "Preset",
+    "Resolved",
     "Spectrum",
     "Spread",
     "UnknownMaterial",
@@ -28,9 +42,15 @@ __all__ = [
     "WavelengthOutOfRange",
     "appearance",
     "color_curve",
+    "default_catalog",
     "f82_tint",
+    "given_beside",
+    "indices_at",
     "interface",
     "load_catalog",
     "reflectance",
+    "resolve_incident",
+    "resolve_material",
     "rgb_constants",
+    "transparency_warnings",
 ]

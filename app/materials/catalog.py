@@ -77,10 +77,14 @@ class Catalog:
         UnknownMaterial
             With the nearest ids.
         """
-        found = self._by_id.get(id) or self._by_name.get(id.strip().casefold())
+        found = self.find(id)
         if found is None:
             raise UnknownMaterial(id, self.nearest(id))
         return found
+
+    def find(self, id: str) -> Preset | None:  # noqa: A002
+        """Return the preset of an id, else of an alias or name, or None."""
+        return self._by_id.get(id) or self._by_name.get(id.strip().casefold())
 
     def search(
         self, query: str | None = None, category: Category | None = None

@@ -360,15 +360,15 @@ def test_a_million_values_and_no_more(post: Post) -> None:
     assert post(rows, ARROW).status_code == 413
 
 
-def test_no_query(app: FastAPI) -> None:
+def test_no_query_but_digits(app: FastAPI) -> None:
     async def request() -> httpx.Response:
         transport = httpx.ASGITransport(app=app)
         async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
-            return await client.post("/api/v1/evaluate?digits=3", json={"items": []})
+            return await client.post("/api/v1/evaluate?samples=3", json={"items": []})
 
     response = asyncio.run(request())
     assert response.status_code == 422
-    assert response.json()["errors"][0]["parameter"] == "digits"
+    assert response.json()["errors"][0]["parameter"] == "samples"
 
 
 def test_other_pages_may_ask(app: FastAPI) -> None:

@@ -14,7 +14,7 @@ import pytest
 from numpy.typing import NDArray
 
 from app.api.lut import LutErrorsOut, LutOut
-from app.api.presets import default_catalog
+from app.materials import default_catalog
 from app.materials.appearance import color_curve
 from app.optics.albedo import albedo
 from app.optics.incidence import Incidence

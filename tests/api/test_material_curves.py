@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 from app.api.materials.schemas import MaterialCurvesOut, MaterialMapOut, SpectrumOut
-from app.api.presets import default_catalog
-from app.materials import appearance, color_curve, rgb_constants
+from app.materials import appearance, color_curve, default_catalog, rgb_constants
 from app.materials.schema import Points
 from app.optics.amplitudes import power
 from app.optics.incidence import Incidence

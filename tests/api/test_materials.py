@@ -11,8 +11,7 @@ import pytest
 from fastapi import FastAPI
 
 from app.api.materials.schemas import MaterialDetailOut, MaterialsOut
-from app.api.presets import default_catalog
-from app.materials import appearance
+from app.materials import appearance, default_catalog
 from app.optics.color import decode_srgb
 from app.optics.interface import Interface
 

@@ -11,8 +11,8 @@ import httpx
 import pytest
 from fastapi import FastAPI
 
-from app.api.presets import NEGLIGIBLE_K, default_catalog
 from app.api.schemas import InterfaceOut
+from app.materials import NEGLIGIBLE_K, default_catalog
 from app.settings import Settings
 
 Ask = Callable[..., httpx.Response]

@@ -16,6 +16,7 @@ import pytest
 from typer.testing import CliRunner
 
 from app.cli import cli
+from app.materials import default_catalog
 from tests.optics.reference.fresnel import fresnel
 
 ROWS = """\
@@ -62,6 +63,40 @@ def test_values_and_errors_are_added(rows: Path, suffix: str) -> None:
     assert values[3] is None
     assert table["error"].to_pylist()[:3] == [None] * 3
     assert table["error"].to_pylist()[3].startswith("n_t = -3.0: ")
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".parquet"])
+def test_presets_in_columns(tmp_path: Path, suffix: str) -> None:
+    table = pa.table(
+        {
+            "material": ["Au", "Au", None, "nope", "BK7"],
+            "incident": [None, "water", "water", None, "vacuum-shirley"],
+            "wavelength_nm": pa.array([500.0, None, 500.0, 500.0, 1.0]),
+            "n_t": pa.array([None, None, 2.0, None, None], pa.float64()),
+            "theta_i_deg": [0.0, 30.0, 60.0, 10.0, 0.0],
+        }
+    )
+    if suffix == ".parquet":  # as pandas writes categories
+        table = table.set_column(0, "material", table["material"].dictionary_encode())
+    path = tmp_path / f"rows{suffix}"
+    (pa.csv.write_csv if suffix == ".csv" else pa.parquet.write_table)(table, path)
+    assert run(path)[0] == 1
+    answered = read(tmp_path / f"rows-evaluated{suffix}")
+    known = default_catalog().constants
+    gold, gold_d = known("Au", 500.0), known("Au")
+    water, water_d = known("water", 500.0), known("water")
+    assert gold.k is not None
+    assert gold_d.k is not None
+    expected = [
+        fresnel(1.0, gold.n, gold.k, 0.0),
+        fresnel(water_d.n, gold_d.n, gold_d.k, 30.0),
+        fresnel(water.n, 2.0, 0.0, 60.0),
+    ]
+    values, errors = answered["value"].to_pylist(), answered["error"].to_pylist()
+    assert values[:3] == [pytest.approx(float(ray.R), rel=1e-12) for ray in expected]
+    assert values[3:] == [None, None]
+    assert errors[3].startswith("material = nope: ")
+    assert errors[4].startswith("wavelength_nm = 1.0: 300 to ")
 
 
 def test_parquet_in_many_batches_keeps_the_order(tmp_path: Path) -> None:

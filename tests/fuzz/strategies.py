@@ -220,6 +220,9 @@ ITEM_VALUES = {
     "k_t": st.floats(-1, 101) | JSON,
     "theta_i_deg": st.floats(-1, 91) | st.lists(st.floats(-1, 91), max_size=5) | JSON,
     "model": st.sampled_from(["exact", "schlick", "lazanyi2005", "nope", ""]) | JSON,
+    "material": st.sampled_from(["Au", "water", "BK7", "ice-wloka", "vacuum", "nope", ""]) | JSON,
+    "incident": st.sampled_from(["Au", "water", "BK7", "vacuum-shirley", "watr", ""]) | JSON,
+    "wavelength_nm": st.floats(-1, 30_000) | st.sampled_from([0, 550, 587.6, 1e7, 1e9]) | JSON,
     "quantity": st.sampled_from(["R", "Rs", "Rp", "T", "x"]) | JSON,
 }
 ITEM = st.fixed_dictionaries({}, optional={**ITEM_VALUES, "odd": JSON})

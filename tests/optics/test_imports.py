@@ -19,7 +19,7 @@ LAYERS = {
     "app.snippets": {"app.optics"},
     "app.ready": set(),
     "app.claims": {"app.optics"},
-    "app.batch": {"app.optics"},
+    "app.batch": {"app.materials", "app.optics"},
     "app.figures": set(),
     "app.pool": set(),
     "app.drain": set(),

@@ -12,7 +12,8 @@ import orjson
 
 from app.api.evaluate.pieces import Piece
 from app.api.responses import CONVENTION
-from app.batch.rows import Fault, Outcome
+from app.batch.evaluation import Outcome
+from app.batch.rows import Fault
 from app.optics.parameters import Array
 
 if TYPE_CHECKING:

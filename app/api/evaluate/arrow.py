@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import importlib.util
 import struct
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -35,14 +36,16 @@ class Columns:
         """How many values it asks for."""
         return int(self._table.num_rows)
 
-    def pieces(self, size: int) -> Iterator[Piece]:
+    def pieces(self, size: int) -> Iterator[Callable[[], Piece]]:
         """Part it into pieces of at most `size` rows."""
         first = 0
         for batch in self._table.to_batches(max_chunksize=size):
-            ones = np.ones(batch.num_rows, np.intp)
-            rows = rows_of(batch, self._registry)
-            yield Piece(first, rows, ones, np.zeros(batch.num_rows, np.bool_))
+            yield partial(self._piece, first, batch)
             first += batch.num_rows
+
+    def _piece(self, first: int, batch: pa.RecordBatch) -> Piece:
+        rows, ones = rows_of(batch, self._registry), np.ones(batch.num_rows, np.intp)
+        return Piece(first, rows, ones, np.zeros(batch.num_rows, np.bool_))
 
 
 def read_arrow(body: bytes | bytearray, registry: Registry) -> Columns:

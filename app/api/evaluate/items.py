@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 import re
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from operator import attrgetter, itemgetter
 from typing import Any, Literal, NamedTuple
 
@@ -17,15 +18,12 @@ from numpy.typing import NDArray
 
 from app.api.evaluate.pieces import MOST_VALUES, Piece, TooManyValues
 from app.api.problems import BadParameters, unknown_parameter
-from app.batch.rows import Fault, Index, Names, Rows, number_columns
+from app.batch.rows import NAMES, THREE, Fault, Hints, Index, Names, Rows, number_columns
 from app.optics.parameters import THETA_I_DEG, Array
 from app.optics.registry import Registry
 
 _AT_A_TIME = 20_000
 """Items that exist as Python objects at a time."""
-
-_NAMES = {"model": "exact", "quantity": "R"}
-"""Columns of names, and what is meant where they are left out."""
 
 _NUMBER = itemgetter(0)
 _NOTHING = [msgspec.Raw()]
@@ -72,7 +70,7 @@ class ItemReader:
     def __init__(self, registry: Registry) -> None:
         self._columns = number_columns(registry)
         self._choices = {name: dict(p.choices) for name, p in self._columns.items() if p.choices}
-        common: list[tuple[str, Any, Any]] = [(name, str, said) for name, said in _NAMES.items()]
+        common: list[tuple[str, Any, Any]] = [(name, str, None) for name in NAMES]
         own: list[tuple[str, Any, Any]] = []
         for name, parameter in self._columns.items():
             kind: Any = float
@@ -84,7 +82,7 @@ class ItemReader:
         # Most items give no model's own parameters, and those that do not are read much faster.
         self._common = _decoder("Item", common)
         self._all = _decoder("ItemOfAModel", [*common, *own])
-        self._known = [*_NAMES, *self._columns]
+        self._known = [*NAMES, *self._columns]
 
     def read(self, body: bytes | bytearray) -> Items:
         """Take a body apart.
@@ -133,7 +131,7 @@ class ItemReader:
         names = (name for name in self._columns if hasattr(decoder.blank, _attribute(name)))
         return [name for name in names if name != THETA_I_DEG.name]
 
-    def fault(self, raw: msgspec.Raw) -> Fault:
+    def fault(self, raw: msgspec.Raw, hints: Hints) -> Fault:
         """Say what is wrong with an item that could not be decoded."""
         try:
             self._all.one.decode(raw)
@@ -146,12 +144,17 @@ class ItemReader:
         unknown, place = _UNKNOWN.search(text), _PLACE.search(text)
         name = unknown[1] if unknown else place[1] if place and place[1] else "items"
         value = given.get(name) if isinstance(given, dict) else given
-        if isinstance(value, dict | list):
-            value = None  # too much to repeat
         message = text.partition(" - at ")[0]
+        if isinstance(value, dict | list):
+            if name in self._columns and self._columns[name].triple:
+                message += f"; {THREE}"
+            value = None  # too much to repeat
         if unknown:
-            message = unknown_parameter(name, value, self._known)["message"]
+            message = hints.of(name, self._nearest)
         return Fault(name, value, message)
+
+    def _nearest(self, name: str) -> str:
+        return unknown_parameter(name, None, self._known)["message"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -171,19 +174,20 @@ class Items:
         """How many values they ask for."""
         return int(self.theta_i_deg.size)
 
-    def pieces(self, size: int) -> Iterator[Piece]:
+    def pieces(self, size: int) -> Iterator[Callable[[], Piece]]:
         """Part the items into pieces of about `size` values, each item whole."""
         ends = np.cumsum(self.counts)
         start = 0
         while start < self.counts.size:
             before = int(ends[start - 1]) if start else 0
             stop = max(start + 1, int(np.searchsorted(ends, before + size, side="right")))
-            yield self._piece(start, min(stop, self.counts.size), before)
+            yield partial(self._piece, start, min(stop, self.counts.size), before)
             start = stop
 
     def _piece(self, start: int, stop: int, before: int) -> Piece:
         counts = self.counts[start:stop]
         first = np.cumsum(counts) - counts
+        hints = Hints()
         rows = Rows(
             int(counts.sum()),
             {name: np.repeat(column[start:stop], counts) for name, column in self.numbers.items()}
@@ -193,7 +197,7 @@ class Items:
                 for name, (codes, distinct) in self.names.items()
             },
             {
-                int(first[item - start]): self.reader.fault(raw)
+                int(first[item - start]): self.reader.fault(raw, hints)
                 for item, raw in self.malformed[
                     bisect_left(self.malformed, start, key=_NUMBER) : bisect_left(
                         self.malformed, stop, key=_NUMBER
@@ -220,7 +224,7 @@ class _Gathered:
         self._choices = choices
         self._numbers: dict[str, Array] = {}
         self._codes: dict[str, Index] = {}
-        self._distinct = {name: {default: 0} for name, default in _NAMES.items()}
+        self._distinct: dict[str, dict[str | None, int]] = {name: {None: -1} for name in NAMES}
         self._theta_i_deg: list[Array] = []
         self._counts = np.ones(size, np.intp)
         self._listed = np.zeros(size, np.bool_)
@@ -260,20 +264,25 @@ class _Gathered:
         self._malformed += malformed
         self.values += theta.size
 
-    def _name(self, name: str, distinct: dict[str, int], said: list[str], here: slice) -> None:
-        for text in set(said):
-            distinct.setdefault(text, len(distinct))
+    def _name(
+        self, name: str, distinct: dict[str | None, int], said: list[str | None], here: slice
+    ) -> None:
+        for text in dict.fromkeys(said):
+            distinct.setdefault(text, len(distinct) - 1)
         if len(distinct) == 1:
-            return  # all leave it out, or might as well
+            return  # all leave it out
         if name not in self._codes:
-            self._codes[name] = np.zeros(self._size, np.intp)
+            self._codes[name] = np.full(self._size, -1)
         self._codes[name][here] = np.fromiter(map(distinct.__getitem__, said), np.intp, len(said))
 
     def items(self, reader: ItemReader) -> Items:
         """All that was added; columns that nobody gave are left out."""
         return Items(
             self._numbers,
-            {name: Names(codes, list(self._distinct[name])) for name, codes in self._codes.items()},
+            {
+                name: Names(codes, [text for text in self._distinct[name] if text is not None])
+                for name, codes in self._codes.items()
+            },
             np.concatenate([np.zeros(0), *self._theta_i_deg]),
             self._counts,
             self._listed,

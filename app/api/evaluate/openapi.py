@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from app.api.evaluate.arrow import MEDIA_TYPE
+from app.api.params import InterfaceQuery
 from app.batch.rows import MEDIA
 from app.optics.parameters import THETA_I_DEG, Parameter
 from app.optics.quantities import QUANTITIES
@@ -18,6 +19,8 @@ A body of `application/json` holds items; `application/vnd.apache.arrow.stream` 
 names, one row a value, null for what is left out. The answer is JSON, CSV or an Arrow stream by
 `Accept`, and of the body's kind where that leaves the choice. JSON holds a number for each item, a
 list where its angle was one, and null where a model is undefined; CSV and Arrow hold a row a value.
+Presets are evaluated as everywhere else, and a parameter of a model is one number: for R, G and B
+ask three times.
 Arrow is there where the server has the extra `[arrow]`; 415 or 406 tell where not.
 """
 
@@ -26,6 +29,7 @@ _EXAMPLE = {
         {"n_t": 1.5, "theta_i_deg": [0, 56.31, 80]},
         {"n_t": 0.27, "k_t": 2.9, "theta_i_deg": 45, "quantity": "Rp"},
         {"n_t": 1.5, "theta_i_deg": 60, "model": "schlick", "schlick.F0": 0.05},
+        {"material": "Au", "incident": "water", "wavelength_nm": 550, "theta_i_deg": [0, 60]},
     ]
 }
 
@@ -75,6 +79,7 @@ def _body(registry: Registry) -> dict[str, Any]:
         "model": {"type": "string", "enum": list(registry), "default": "exact"},
         "quantity": {"type": "string", "enum": list(QUANTITIES), "default": "R"},
     }
+    properties |= _presets()
     for parameter in MEDIA:
         schema = _number(parameter)
         if parameter is THETA_I_DEG:
@@ -90,6 +95,18 @@ def _body(registry: Registry) -> dict[str, Any]:
         "properties": {"items": {"type": "array", "items": item}},
         "required": ["items"],
         "additionalProperties": False,
+    }
+
+
+def _presets() -> dict[str, Any]:
+    """What stands in the place of numbers, as the routes that take a single one describe it."""
+    told = InterfaceQuery.model_json_schema()["properties"]
+    return {
+        name: {
+            "description": told[name]["description"],
+            **next(kind for kind in told[name]["anyOf"] if kind["type"] != "null"),
+        }
+        for name in ("material", "incident", "wavelength_nm")
     }
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -46,5 +46,5 @@ class Questions(Protocol):
     def values(self) -> int:
         """How many values it asks for."""
 
-    def pieces(self, size: int) -> Iterator[Piece]:
-        """Part it into pieces of about `size` values."""
+    def pieces(self, size: int) -> Iterator[Callable[[], Piece]]:
+        """Part it into pieces of about `size` values, each to be made when it is its turn."""

@@ -6,9 +6,10 @@ import asyncio
 from collections import deque
 from collections.abc import AsyncIterator, Callable
 from functools import partial
+from typing import Annotated
 from urllib.parse import parse_qsl
 
-from fastapi import APIRouter, Request
+from fastapi import APIRouter, Query, Request
 from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect
 from starlette.responses import Response, StreamingResponse
@@ -20,9 +21,11 @@ from app.api.evaluate.items import ItemReader
 from app.api.evaluate.negotiation import accepted
 from app.api.evaluate.openapi import operation
 from app.api.evaluate.pieces import MOST_VALUES, Piece, Questions, TooManyValues
+from app.api.params import DigitsQuery
 from app.api.problems import API_HEADERS
+from app.api.responses import round_significant
 from app.api.route import refuse_unknown_and_repeated
-from app.batch.rows import evaluate
+from app.batch.evaluation import evaluate
 from app.optics.registry import Registry
 from app.pool import Pool
 
@@ -59,9 +62,9 @@ def router(registry: Registry, pool: Pool, body_bytes: int) -> APIRouter:
         readers[arrow.MEDIA_TYPE] = partial(arrow.read_arrow, registry=registry)
 
     @routes.post("/evaluate", summary="Many values in one call", **operation(registry))
-    async def evaluate_(request: Request) -> Response:
-        query = parse_qsl(request.scope["query_string"].decode("latin-1"), keep_blank_values=True)
-        refuse_unknown_and_repeated(query, {})
+    async def evaluate_(request: Request, query: Annotated[DigitsQuery, Query()]) -> Response:
+        given = parse_qsl(request.scope["query_string"].decode("latin-1"), keep_blank_values=True)
+        refuse_unknown_and_repeated(given, DigitsQuery.model_fields)
         kind = _kind_of_body(request, list(readers))
         writer = WRITERS[_kind_of_answer(request, kind)]
         try:
@@ -72,7 +75,7 @@ def router(registry: Registry, pool: Pool, body_bytes: int) -> APIRouter:
             raise HTTPException(413, detail) from None
         except ClientDisconnect:
             return Response(status_code=400)  # nobody is there to read it
-        chunks = _streamed(questions, writer, registry, pool)
+        chunks = _streamed(questions, writer, registry, pool, query.digits)
         response = StreamingResponse(chunks, media_type=writer.media_type)
         response.raw_headers += [(b"cache-control", b"no-store"), *API_HEADERS]
         return response
@@ -81,12 +84,14 @@ def router(registry: Registry, pool: Pool, body_bytes: int) -> APIRouter:
 
 
 async def _streamed(
-    questions: Questions, writer: Writer, registry: Registry, pool: Pool
+    questions: Questions, writer: Writer, registry: Registry, pool: Pool, digits: int
 ) -> AsyncIterator[bytes]:
     """Send pieces in order while the next ones are computed in threads."""
 
-    def computed(piece: Piece) -> tuple[bytes, int]:
+    def computed(made: Callable[[], Piece]) -> tuple[bytes, int]:
+        piece = made()
         outcome = evaluate(piece.rows, registry)
+        outcome.values = round_significant(outcome.values, digits)
         return writer.piece(piece, outcome), len(by_item(piece, outcome))
 
     yield writer.head()

@@ -27,9 +27,9 @@ from app.api.materials.rgb import CHANNELS, RgbQuery, check_models, rgb_json
 from app.api.materials.schemas import MaterialCurvesOut
 from app.api.model_parameters import parse_models
 from app.api.params import MAX_SAMPLES, Count, TableQuery
-from app.api.presets import default_catalog, reported_as
+from app.api.presets import reported_as
 from app.api.responses import CONVENTION, csv_body, json_body
-from app.materials import Preset, Spectrum
+from app.materials import Preset, Spectrum, default_catalog
 from app.optics.amplitudes import reflectance
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface

@@ -12,9 +12,15 @@ from app.api.materials.listing import row, swatch
 from app.api.materials.queries import ColorQuery, found, swatch_gamut
 from app.api.materials.schemas import MaterialDetailOut
 from app.api.params import DigitsQuery, Number, wavelength
-from app.api.presets import default_catalog, resolve_material
 from app.api.responses import json_body
-from app.materials import Appearance, Preset, appearance, f82_tint
+from app.materials import (
+    Appearance,
+    Preset,
+    appearance,
+    default_catalog,
+    f82_tint,
+    resolve_material,
+)
 from app.optics.color import WAVELENGTH_NM, Gamut, apply_gamut, linear_srgb, luminance
 from app.optics.interface import Interface
 

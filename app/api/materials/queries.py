@@ -9,9 +9,16 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from app.api.params import Number, QueryModel, number, preset_name, refuse_beside
-from app.api.presets import default_catalog, reported_as, transparency_warnings
+from app.api.presets import reported_as
 from app.api.problems import MissingResource
-from app.materials import NoSpectrum, Preset, Spectrum, UnknownMaterial
+from app.materials import (
+    NoSpectrum,
+    Preset,
+    Spectrum,
+    UnknownMaterial,
+    default_catalog,
+    transparency_warnings,
+)
 from app.optics.color import Adaptation, Gamut, Illuminant, Observer
 from app.optics.errors import NotAllowed, OutOfRange
 from app.optics.interface import Interface

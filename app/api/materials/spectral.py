@@ -21,9 +21,8 @@ from app.api.materials.queries import (
 )
 from app.api.materials.schemas import MaterialMapOut, SpectrumOut
 from app.api.params import MAX_SAMPLES, Count, Number, QueryModel, TableQuery, wavelength
-from app.api.presets import default_catalog
 from app.api.responses import CONVENTION, csv_body, json_body
-from app.materials import Preset, Spectrum, WavelengthOutOfRange
+from app.materials import Preset, Spectrum, WavelengthOutOfRange, default_catalog
 from app.materials.schema import Points, Quantity
 from app.optics.amplitudes import power
 from app.optics.errors import NotAllowed

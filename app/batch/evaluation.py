@@ -1,0 +1,151 @@
+"""Rows answered by groups, each by one call of a model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from itertools import repeat
+from typing import TypeVar
+
+import numpy as np
+
+from app.batch.presets import resolved
+from app.batch.rows import MEDIA, Fault, Hints, Index, Rows, parted
+from app.optics.errors import UnknownName
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array, Parameter
+from app.optics.quantities import QUANTITIES
+from app.optics.registry import Model, Registry
+
+T = TypeVar("T")
+
+_QUANTITIES = {name: name for name in QUANTITIES}
+
+
+@dataclass(slots=True)
+class Outcome:
+    """One value a row, NaN where it is undefined or the row is wrong; and what is wrong."""
+
+    values: Array
+    faults: dict[int, Fault] = field(default_factory=dict)
+
+
+def evaluate(rows: Rows, registry: Registry) -> Outcome:
+    """Answer every row; one that is wrong does not keep the others from their answers."""
+    task = _Task(resolved(rows), registry)
+    for model, which in task.by_name("model", "exact", registry):
+        for quantity, asked in task.by_name("quantity", "R", _QUANTITIES, which):
+            if model.id != "exact" and quantity != "R":
+                message = f"{model.id} has R alone; the other quantities are those of exact"
+                task.refuse(asked, "quantity", repeat(quantity), message)
+            else:
+                task.answer(model, quantity, asked)
+    return task.outcome
+
+
+class _Task:
+    """Rows on their way to becoming an outcome."""
+
+    def __init__(self, rows: Rows, registry: Registry) -> None:
+        self.rows = rows
+        self.registry = registry
+        self.outcome = Outcome(np.full(rows.count, np.nan), dict(rows.faults))
+
+    def refuse(self, which: Index, parameter: str, values: Iterable[object], message: str) -> None:
+        """Say what is wrong with some rows, each with the value that it gave."""
+        for row, value in zip(which.tolist(), values, strict=False):
+            self.outcome.faults[row] = Fault(parameter, value, message)
+
+    def by_name(
+        self, column: str, default: str, known: Mapping[str, T], which: Index | None = None
+    ) -> Iterator[tuple[T, Index]]:
+        """Part rows by what a column of names calls for, and refuse those that name nothing."""
+        if which is None:
+            which = np.arange(self.rows.count)
+            if self.rows.faults:
+                which = np.delete(which, list(self.rows.faults))
+        if column not in self.rows.names:
+            yield known[default], which
+            return
+        hints = Hints()
+        codes, distinct = self.rows.names[column]
+        for code, asked in parted(codes[which], which):
+            name = default if code < 0 else distinct[code]
+            found = known.get(name)
+            if found is None:
+                message = hints.of(name, lambda name: UnknownName(column, name, known).allowed)
+                self.refuse(asked, column, repeat(name), message)
+            else:
+                yield found, asked
+
+    def answer(self, model: Model, quantity: str, which: Index) -> None:
+        """Evaluate rows of one model and quantity."""
+        own = {f"{model.id}.{p.name}": p for p in model.parameters}
+        which = self._without_foreign(model, own, which)
+        for parameter in MEDIA:
+            which = self._within_bounds(parameter.name, parameter, which)
+        for name, parameter in own.items():
+            which = self._within_bounds(name, parameter, which)
+        # Parameters that are left out may have to be solved, those that are given must not be.
+        present = [name for name in own if name in self.rows.numbers]
+        pattern = np.zeros(which.size, dtype=np.intp)
+        for bit, name in enumerate(present):
+            pattern |= (~np.isnan(self._at(name, which))).astype(np.intp) << bit
+        for bits, asked in parted(pattern, which):
+            given = [name for bit, name in enumerate(present) if bits >> bit & 1]
+            self._evaluate(model, quantity, given, asked)
+
+    def _evaluate(self, model: Model, quantity: str, given: list[str], which: Index) -> None:
+        if which.size == 0:
+            return
+        n_i, n_t, k_t, theta_i_deg = (self._numbers(p.name, p, which) for p in MEDIA)
+        interface, incidence = Interface(n_i, n_t, k_t), Incidence.from_degrees(theta_i_deg)
+        if model.id == "exact":
+            values = QUANTITIES[quantity](interface, incidence)
+        else:
+            own = {name.partition(".")[2]: _one_if_equal(self._at(name, which)) for name in given}
+            values = model(interface, incidence, **own)
+        self.outcome.values[which] = values
+
+    def _at(self, name: str, which: Index) -> Array:
+        """A column at some rows, which are distinct and in order: all of them are the column."""
+        column = self.rows.numbers[name]
+        return column if which.size == self.rows.count else column[which]
+
+    def _without_foreign(self, model: Model, own: Mapping[str, Parameter], which: Index) -> Index:
+        """Refuse rows that give a parameter of another model, which would otherwise be lost."""
+        for name in self.rows.numbers:
+            if "." in name and name not in own:
+                column = self._at(name, which)
+                given = ~np.isnan(column)
+                if given.any():
+                    message = f"given although the model is {model.id}"
+                    self.refuse(which[given], name, column[given].tolist(), message)
+                    which = which[~given]
+        return which
+
+    def _within_bounds(self, name: str, parameter: Parameter, which: Index) -> Index:
+        """Refuse rows whose number is not allowed."""
+        if name not in self.rows.numbers:
+            return which
+        values = self._at(name, which)
+        fine = parameter.admits(values) | np.isnan(values)
+        if fine.all():
+            return which
+        self.refuse(which[~fine], name, values[~fine].tolist(), parameter.allowed)
+        return which[fine]
+
+    def _numbers(self, name: str, parameter: Parameter, which: Index) -> Array | float:
+        default = parameter.default or 0.0
+        if name not in self.rows.numbers:
+            return default
+        values = self._at(name, which)
+        left_out = np.isnan(values)
+        return _one_if_equal(np.where(left_out, default, values) if left_out.any() else values)
+
+
+def _one_if_equal(values: Array) -> Array | float:
+    """A single number where all are the same, with which the models are fastest."""
+    first = values[0]
+    return float(first) if values[-1] == first and np.all(values == first) else values
