@@ -6,6 +6,7 @@ import { h, setText } from "../dom.js";
 import { createExports } from "../exports.js";
 import { plain, six } from "../format.js";
 import { roundUp } from "../plot/colors.js";
+import { createDataTables } from "../plot/data-table.js";
 import { createHeatmap } from "../plot/heatmap.js";
 import { createBounds } from "./bounds.js";
 import { printError } from "./claims.js";
@@ -125,18 +126,9 @@ export function createMap(parent, { actions, state, save }) {
       map_k_high: null,
     }),
   );
-  const tableHost = h("div", {
-    class: "plot-table",
-    tabindex: "0",
-    role: "region",
-    "aria-label": "Table of the map",
+  const tables = createDataTables("This map as a table", {
+    "Table of the map": () => (drawn.map ? [map.table()] : []),
   });
-  const dataTable = h(
-    "details",
-    { class: "definitions" },
-    h("summary", {}, "This map as a table"),
-    tableHost,
-  );
   const element = h(
     "section",
     { class: "column over-nk", "aria-label": "Error over n and k" },
@@ -162,7 +154,7 @@ export function createMap(parent, { actions, state, save }) {
       ...bounds.map((b) => b.element),
       h("p", { class: "hint" }, "Click to go there."),
     ),
-    dataTable,
+    tables.element,
   );
   parent.append(element);
   const map = createHeatmap(host, {
@@ -171,10 +163,6 @@ export function createMap(parent, { actions, state, save }) {
     y: { title: "extinction k_t", short: "k_t", column: "k_t", range: [0, 1] },
     z: { title: "", kind: "size", print: short },
     onPick: (n_t, k_t) => actions.set({ n_t, k_t, material: null }),
-  });
-
-  dataTable.addEventListener("toggle", () => {
-    if (dataTable.open && drawn.map) tableHost.replaceChildren(map.table());
   });
 
   /** @param {readonly Fit[]} next */
@@ -226,7 +214,7 @@ export function createMap(parent, { actions, state, save }) {
       ? ` The line is at the claimed ${printError(claim.claimed ?? 0, false)}.`
       : "";
     setText(largest, sayLargest(answer) + claimed);
-    if (dataTable.open) tableHost.replaceChildren(map.table());
+    tables.fill();
   }
 
   return {

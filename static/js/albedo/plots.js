@@ -5,6 +5,7 @@ import { createChoice } from "../controls/choice.js";
 import { h, setText } from "../dom.js";
 import { createExports } from "../exports.js";
 import { locate, read } from "../interpolate.js";
+import { createDataTables } from "../plot/data-table.js";
 import { drawLegend } from "../plot/legend.js";
 import { MOST_LABELS } from "../plot/overlay.js";
 import { createPlot } from "../plots.js";
@@ -79,15 +80,10 @@ export function createPlots(parent, { actions, save }) {
   const trouble = createTrouble("Back to the usual fits and range", () =>
     actions.set({ fits: null, sweep_low: null, sweep_high: null }),
   );
-  const tableHosts = ["Table of the albedos", "Table of the errors"].map((label) =>
-    h("div", { class: "plot-table", tabindex: "0", role: "region", "aria-label": label }),
-  );
-  const dataTable = h(
-    "details",
-    { class: "definitions" },
-    h("summary", {}, "Albedos and errors as tables"),
-    ...tableHosts,
-  );
+  const tables = createDataTables("Albedos and errors as tables", {
+    "Table of the albedos": () => (drawn.settled ? [upper.table()] : []),
+    "Table of the errors": () => (drawn.settled ? [lower.table()] : []),
+  });
   const element = h(
     "section",
     { class: "column albedos", "aria-label": "Albedo and errors of the fits" },
@@ -126,7 +122,7 @@ export function createPlots(parent, { actions, save }) {
       bounds.element,
       h("p", { class: "hint" }, "Click or drag to go there."),
     ),
-    dataTable,
+    tables.element,
   );
 
   parent.append(element);
@@ -168,13 +164,6 @@ export function createPlots(parent, { actions, save }) {
     fits: /** @type {unknown} */ (null),
     settled: false,
   };
-
-  dataTable.addEventListener("toggle", fillTables);
-  function fillTables() {
-    if (!dataTable.open || !drawn.settled) return;
-    tableHosts[0]?.replaceChildren(upper.table());
-    tableHosts[1]?.replaceChildren(lower.table());
-  }
 
   /** Names stand at the curves; where these are too many, in a list that both plots share. @param {readonly Trace[]} claims */
   function key(claims) {
@@ -228,7 +217,7 @@ export function createPlots(parent, { actions, save }) {
     drawn = { look, sweep, fits, settled: !moving };
     note.hidden = sweep.curves.some((c) => c.kind === "fit");
     setText(note, "Choose a fit to see its error here.");
-    fillTables();
+    tables.fill();
   }
 
   return {

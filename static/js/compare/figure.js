@@ -8,6 +8,7 @@ import { inDegrees, inUnit, percent, plain } from "../format.js";
 import { locate, read } from "../interpolate.js";
 import { shortTitle } from "../model-traces.js";
 import { modelStyle } from "../palette.js";
+import { createDataTables } from "../plot/data-table.js";
 import { createHeatmap } from "../plot/heatmap.js";
 import { createPlot } from "../plots.js";
 import { mapOf, sweepOf } from "./answers.js";
@@ -129,18 +130,9 @@ export function createFigure({ parent, catalog, actions, save }) {
   const sweepHost = h("div", { class: "figure-host" });
   const mapHost = h("div", { class: "figure-host", hidden: true });
   const waiting = h("p", { class: "figure-note" });
-  const tableHost = h("div", {
-    class: "plot-table",
-    tabindex: "0",
-    role: "region",
-    "aria-label": "Table of the error over the media",
+  const tables = createDataTables("This figure as a table", {
+    "Table of the error over the media": () => (now ? [shown().table()] : []),
   });
-  const dataTable = h(
-    "details",
-    { class: "definitions" },
-    h("summary", {}, "This figure as a table"),
-    tableHost,
-  );
   /** @type {State | null} */
   let now = null;
   const shown = () => (now && isMap(now.over) ? map : plot);
@@ -160,7 +152,7 @@ export function createFigure({ parent, catalog, actions, save }) {
     h("div", { class: "figure-area" }, sweepHost, mapHost, waiting),
     h("div", { class: "figure-foot" }, ...spans, hint),
     wrong,
-    dataTable,
+    tables.element,
   );
   parent.append(element);
 
@@ -241,7 +233,7 @@ export function createFigure({ parent, catalog, actions, save }) {
         y: { title: `${METRICS[state.metric]}${relative ? " (%)" : ""}`, range: null },
       });
       void plot.draw(traces);
-      if (dataTable.open) tableHost.replaceChildren(plot.table());
+      tables.fill();
     }
     const x = state[current?.name ?? name];
     plot.marker(
@@ -297,16 +289,11 @@ export function createFigure({ parent, catalog, actions, save }) {
           },
         },
       );
-      if (dataTable.open) tableHost.replaceChildren(map.table());
+      tables.fill();
     }
     if (pointwise) map.marker(inUnit(state.theta_i_deg, state.angle), state.n_t);
     else map.marker(state.n_t, state.k_t);
   }
-
-  dataTable.addEventListener("toggle", () => {
-    if (dataTable.open && now)
-      tableHost.replaceChildren(isMap(now.over) ? map.table() : plot.table());
-  });
 
   return {
     /** @param {State} state @param {Record<string, any>} answers */

@@ -6,6 +6,7 @@ import { landmarksOf } from "../explore/reading.js";
 import { createExports } from "../exports.js";
 import { inDegrees, inUnit } from "../format.js";
 import { locate, read } from "../interpolate.js";
+import { createDataTables } from "../plot/data-table.js";
 import { traceUid } from "../plot/figure.js";
 import { createPlot } from "../plots.js";
 import { curveTraces, distinct, errorRange, errorTraces } from "./traces.js";
@@ -66,15 +67,10 @@ export function createPlots({ parent, models, actions, save }) {
   kind.element.classList.add("unnamed");
   const upperHost = h("div", { class: "plot-host upper" });
   const lowerHost = h("div", { class: "plot-host lower" });
-  const tableHosts = ["Table of the curves", "Table of the errors over the angle"].map((name) =>
-    h("div", { class: "plot-table", tabindex: "0", role: "region", "aria-label": name }),
-  );
-  const dataTable = h(
-    "details",
-    { class: "definitions" },
-    h("summary", {}, "Curves and errors as tables"),
-    ...tableHosts,
-  );
+  const tables = createDataTables("Curves and errors as tables", {
+    "Table of the curves": () => (drawn.settled ? [upper.table()] : []),
+    "Table of the errors over the angle": () => (drawn.settled ? [lower.table()] : []),
+  });
   const element = h(
     "section",
     { class: "column overlaid", "aria-label": "Reflectance and its error" },
@@ -93,7 +89,7 @@ export function createPlots({ parent, models, actions, save }) {
       exports("fresnel-compare-error", "errors", () => lower),
     ),
     lowerHost,
-    dataTable,
+    tables.element,
   );
   parent.append(element);
 
@@ -168,13 +164,6 @@ export function createPlots({ parent, models, actions, save }) {
     }
   }
 
-  dataTable.addEventListener("toggle", fillTables);
-  function fillTables() {
-    if (!dataTable.open || !drawn.settled) return;
-    tableHosts[0]?.replaceChildren(upper.table());
-    tableHosts[1]?.replaceChildren(lower.table());
-  }
-
   return {
     /** @param {State} state @param {Record<string, any>} answers @param {boolean} moving */
     update(state, answers, moving) {
@@ -240,7 +229,7 @@ export function createPlots({ parent, models, actions, save }) {
         }
         drawn = { look, sources, settled: !moving };
         paintLight();
-        fillTables();
+        tables.fill();
       }
       if (lastLit !== lit()) {
         lastLit = lit();

@@ -2,6 +2,7 @@
 
 import { h, setText } from "../dom.js";
 import { createExports } from "../exports.js";
+import { createDataTables } from "../plot/data-table.js";
 
 /**
  * @typedef {import('../exports.js').Published & {exportAs: (format: 'png' | 'svg' | 'csv') => Promise<Blob>, table: () => HTMLTableElement,
@@ -42,13 +43,9 @@ export function createPanel({
   const heading = h("h2", {}, title);
   const problem = h("p", { class: "row-error", role: "alert" });
   const note = h("p", { class: "hint" });
-  const tables = h("div", {
-    class: "plot-table",
-    tabindex: "0",
-    role: "region",
-    "aria-label": `${title}, table`,
+  const tables = createDataTables("As a table", {
+    [`${title}, table`]: () => figures().map((figure) => figure.table()),
   });
-  const dataTable = h("details", { class: "definitions" }, h("summary", {}, "As a table"), tables);
   const area = h("div", { class: "figure-row" }, ...hosts);
   const element = h(
     "section",
@@ -58,16 +55,12 @@ export function createPanel({
     problem,
     area,
     note,
-    dataTable,
+    tables.element,
   );
   parent.append(element);
-  function fill() {
-    if (dataTable.open) tables.replaceChildren(...figures().map((f) => f.table()));
-  }
-  dataTable.addEventListener("toggle", fill);
   return {
     element,
-    fill,
+    fill: tables.fill,
     /** @param {Node | string} text */
     note: (text) => note.replaceChildren(text),
     /** @param {{lines: string[], title: string} | undefined} what */

@@ -8,6 +8,7 @@ import { locate, read } from "../interpolate.js";
 import { pageLink } from "../links.js";
 import { shortTitle } from "../model-traces.js";
 import { modelStyle } from "../palette.js";
+import { createDataTables } from "../plot/data-table.js";
 import { createPlot } from "../plots.js";
 import { UNTOUCHED } from "./fields.js";
 import { display, math, pieces, words } from "./prose.js";
@@ -129,13 +130,9 @@ export function createFormulas({ catalog, actions, say }) {
   const actionsPlace = h("p", { class: "lesson-more" });
   const rowsPlace = h("div", { class: "rows lesson-rows" });
   const plotFrame = h("div", { class: "frame" });
-  const tableHost = h("div", { class: "plot-table" });
-  const table = h(
-    "details",
-    { class: "definitions" },
-    h("summary", {}, "The curve as a table"),
-    tableHost,
-  );
+  const tables = createDataTables("The curve as a table", {
+    "Table of the curve": () => [plot.table()],
+  });
   const detail = h(
     "article",
     { class: "formula-detail" },
@@ -153,7 +150,7 @@ export function createFormulas({ catalog, actions, say }) {
         h("div", { class: "plot-host" }, plotFrame),
         rowsPlace,
         actionsPlace,
-        table,
+        tables.element,
       ),
     ),
   );
@@ -166,10 +163,6 @@ export function createFormulas({ catalog, actions, say }) {
     filename: "fresnel-formula",
     onPick: (x) => point(x),
   });
-  table.addEventListener("toggle", () => {
-    if (table.open) tableHost.replaceChildren(plot.table());
-  });
-
   /** @type {Formula[]} */
   let formulas = [];
   /** @type {{formula: Formula, li: HTMLElement, link: HTMLElement}[]} */
@@ -400,7 +393,7 @@ export function createFormulas({ catalog, actions, say }) {
     void plot.draw(traces);
     const { at } = curve;
     point(at[Math.round(0.6 * (at.length - 1))] ?? 0);
-    if (table.open) tableHost.replaceChildren(plot.table());
+    tables.fill();
   }
 
   return {

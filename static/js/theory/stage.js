@@ -7,6 +7,7 @@ import { createSplit } from "../explore/split.js";
 import { axesOf } from "../explore/traces.js";
 import { locate, read } from "../interpolate.js";
 import { CHANNELS, modelTraces } from "../model-traces.js";
+import { createDataTables } from "../plot/data-table.js";
 import { createPlot } from "../plots.js";
 import { clamp, snap, stepped } from "../snap.js";
 import { DEGREES } from "./rows.js";
@@ -100,15 +101,10 @@ export function createStage({ catalog, name, onTheta, onSettle }) {
     h("div", { class: "plot-host" }, plotFrame),
     key,
   );
-  const tableHost = h("div", { class: "plot-table" });
-  const asTable = h(
-    "details",
-    { class: "definitions" },
-    h("summary", {}, "The curves as a table"),
-    tableHost,
-  );
-  asTable.addEventListener("toggle", () => fillTable());
-  curves.append(asTable);
+  const tables = createDataTables("The curves as a table", {
+    "Table of the curves": () => [plot.table()],
+  });
+  curves.append(tables.element);
   const element = h("div", { class: "stage" }, ray, curves);
 
   let theta = 0;
@@ -153,10 +149,6 @@ export function createStage({ catalog, name, onTheta, onSettle }) {
   /** @type {Trace[]} */
   let traces = [];
 
-  function fillTable() {
-    if (asTable.open) tableHost.replaceChildren(plot.table());
-  }
-
   /**
    * @param {readonly unknown[]} sources what the traces are made of
    * @param {string} look
@@ -170,7 +162,7 @@ export function createStage({ catalog, name, onTheta, onSettle }) {
     traces = make();
     if (moving && look === drawn.look) plot.fast(traces, landmarks);
     else void plot.draw(traces, landmarks);
-    if (!moving) fillTable();
+    if (!moving) tables.fill();
     drawn = { sources, look, settled: !moving || look !== drawn.look };
   }
 

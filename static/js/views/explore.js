@@ -13,6 +13,7 @@ import { axesOf, marksOf, tracesOf } from "../explore/traces.js";
 import { createExports } from "../exports.js";
 import { angle, inDegrees, inUnit, percent } from "../format.js";
 import { parameterFields, parameterQuery } from "../model-parameters.js";
+import { createDataTables } from "../plot/data-table.js";
 import { createPlot } from "../plots.js";
 import { clamp, snap, stepped } from "../snap.js";
 import { choice, list } from "../state.js";
@@ -64,13 +65,9 @@ export function createView({
     { class: "hint" },
     "Drag the ray, or use ← → (Shift: finer). Alt frees it from the marks.",
   );
-  const tableHost = h("div", { class: "plot-table" });
-  const dataTable = h(
-    "details",
-    { class: "definitions" },
-    h("summary", {}, "The curves as a table"),
-    tableHost,
-  );
+  const tables = createDataTables("The curves as a table", {
+    "Table of the curves": () => (drawn.settled ? [plot.table()] : []),
+  });
   const exports = createExports({
     what: "the plot",
     name: () => "fresnel-curves",
@@ -98,7 +95,7 @@ export function createView({
       h("div", { class: "heading" }, h("h2", {}, "Numbers"), numbers.copyAll),
       numbers.grid,
       definitions.element,
-      dataTable,
+      tables.element,
     ),
     h(
       "section",
@@ -172,11 +169,6 @@ export function createView({
     actions.set({}, { history: "none" });
   }
 
-  dataTable.addEventListener("toggle", () => fillTable());
-  function fillTable() {
-    if (dataTable.open && drawn.settled) tableHost.replaceChildren(plot.table());
-  }
-
   /** @param {boolean} moving */
   function draw(moving) {
     if (!now) return;
@@ -203,7 +195,7 @@ export function createView({
     if (look !== drawn.look) plot.axes(axesOf(shown));
     plot.draw(traces, marks);
     drawn = { curves: answers.curves, look, settled: true };
-    fillTable();
+    tables.fill();
   }
 
   return {
