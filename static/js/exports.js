@@ -48,7 +48,7 @@ export function createExports({ what, name, make, save, print }) {
         {
           type: "button",
           class: "quiet",
-          "aria-label": `Print-ready picture of ${what.replace(/^the /u, "")}`,
+          "aria-label": `For print… (${what.replace(/^the /u, "")})`,
           onclick: async () => {
             const { publish } = await import("./publish/dialog.js");
             publish({ figures: print.figures(), call: print.call, name: name(), save });

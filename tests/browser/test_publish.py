@@ -27,7 +27,7 @@ PIXELS = """async (bytes) => {
 
 def sheet(page: Page, what: str = "plot") -> Any:
     """Open the sheet of a figure and wait for its preview."""
-    page.get_by_role("button", name=f"Print-ready picture of {what}", exact=True).click()
+    page.get_by_role("button", name=f"For print… ({what})", exact=True).click()
     dialog = page.get_by_role("dialog", name="Figure for print")
     expect(dialog.locator(".publish-preview img").first).to_be_visible(timeout=READY_MS)
     return dialog
@@ -124,7 +124,7 @@ def test_what_cannot_be_is_said_and_not_saved(quiet_page: Page) -> None:
     expect(dialog.get_by_role("alert")).to_contain_text("24 pt letters need a width of")
     quiet_page.keyboard.press("Escape")
     expect(dialog).to_be_hidden()
-    expect(quiet_page.get_by_role("button", name="Print-ready picture of plot")).to_be_focused()
+    expect(quiet_page.get_by_role("button", name="For print… (plot)")).to_be_focused()
 
 
 @pytest.mark.parametrize(
