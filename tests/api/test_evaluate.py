@@ -162,6 +162,19 @@ def test_a_models_own_parameters(post: Post) -> None:
     assert 0.04 < found[3] < 1.0
 
 
+@pytest.mark.parametrize("rare", [{"k_t": 3.0}, {"quantity": "Rp"}, {"theta_i_deg": [30, 60]}])
+def test_what_few_items_hold_is_not_lost(post: Post, rare: dict[str, Any]) -> None:
+    """Items are read as though all held what some of them hold, and again where one holds more."""
+    usual = {"n_t": 1.5, "theta_i_deg": 60}
+    for at in range(0, 200, 7):
+        items = [usual] * 200
+        items[at] = usual | rare
+        found = results(post(items))
+        (alone,) = results(post([usual | rare]))
+        assert found[at] == alone != found[at - 1]
+        assert all(found[other] == found[at - 1] for other in range(200) if other != at)
+
+
 WRONG = [
     ({"n_t": -1}, "n_t", -1.0, "0.001 to 100"),
     ({"n_t": "glass"}, "n_t", "glass", "float"),

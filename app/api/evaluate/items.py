@@ -8,7 +8,7 @@ from bisect import bisect_left
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 from operator import attrgetter, itemgetter
 from typing import Any, Literal, NamedTuple
 
@@ -25,6 +25,13 @@ from app.optics.registry import Registry
 _AT_A_TIME = 20_000
 """Items that exist as Python objects at a time."""
 
+_DECODERS = 64
+"""Decoders that are kept, each of items with columns of their own."""
+
+_SAMPLE = 50
+"""Items that are looked at to see which columns all may have."""
+
+_PARTS = msgspec.json.Decoder(dict[str, msgspec.Raw])
 _NUMBER = itemgetter(0)
 _NOTHING = [msgspec.Raw()]
 
@@ -35,23 +42,12 @@ _UNREADABLE = (msgspec.MsgspecError, RecursionError, UnicodeDecodeError)
 
 
 class _Decoder(NamedTuple):
-    """Decoders of one item and of many, and an item that says nothing."""
+    """Decoders of items that hold some columns, and an item that says nothing."""
 
+    columns: list[str]
     one: msgspec.json.Decoder[Any]
     many: msgspec.json.Decoder[Any]
     blank: Any
-
-
-def _decoder(name: str, fields: list[tuple[str, Any, Any]]) -> _Decoder:
-    item = msgspec.defstruct(
-        name,
-        fields,
-        rename=lambda attribute: attribute.replace("__", "."),
-        forbid_unknown_fields=True,
-        gc=False,
-    )
-    many: Any = list[item]  # type: ignore[valid-type]
-    return _Decoder(msgspec.json.Decoder(item), msgspec.json.Decoder(many), item())
 
 
 class _Body(msgspec.Struct, forbid_unknown_fields=True):
@@ -70,19 +66,33 @@ class ItemReader:
     def __init__(self, registry: Registry) -> None:
         self._columns = number_columns(registry)
         self._choices = {name: dict(p.choices) for name, p in self._columns.items() if p.choices}
-        common: list[tuple[str, Any, Any]] = [(name, str, None) for name in NAMES]
-        own: list[tuple[str, Any, Any]] = []
-        for name, parameter in self._columns.items():
-            kind: Any = float
-            if name == THETA_I_DEG.name:
-                kind = float | list[float]
-            if parameter.choices:
-                kind = float | Literal[tuple(choice for choice, _ in parameter.choices)]
-            (own if "." in name else common).append((_attribute(name), kind, math.nan))
-        # Most items give no model's own parameters, and those that do not are read much faster.
-        self._common = _decoder("Item", common)
-        self._all = _decoder("ItemOfAModel", [*common, *own])
         self._known = [*NAMES, *self._columns]
+        self._decoder_of = lru_cache(_DECODERS)(self._made)
+        self._all = self._decoder_of(frozenset(self._known))
+
+    def _made(self, columns: frozenset[str]) -> _Decoder:
+        """Make a decoder of items that hold no other columns."""
+        item = msgspec.defstruct(
+            "Item",
+            [self._field(name) for name in self._known if name in columns],
+            rename=lambda attribute: attribute.replace("__", "."),
+            forbid_unknown_fields=True,
+            gc=False,
+        )
+        many: Any = list[item]  # type: ignore[valid-type]
+        decoders = msgspec.json.Decoder(item), msgspec.json.Decoder(many)
+        return _Decoder([name for name in self._known if name in columns], *decoders, item())
+
+    def _field(self, name: str) -> tuple[str, Any, Any]:
+        """A field of an item: its name, what it may be, and what it is where it is left out."""
+        if name in NAMES:
+            return name, str, None
+        kind: Any = float
+        if name == THETA_I_DEG.name:
+            kind = float | list[float]
+        if self._columns[name].choices:
+            kind = float | Literal[tuple(choice for choice, _ in self._columns[name].choices)]
+        return _attribute(name), kind, math.nan
 
     def read(self, body: bytes | bytearray) -> Items:
         """Take a body apart.
@@ -114,9 +124,9 @@ class ItemReader:
     def _decoded(self, raw: list[msgspec.Raw]) -> tuple[list[Any], list[str], list[int]]:
         """Decode items, the columns they may hold, and which of them cannot be decoded."""
         body = b"[" + b",".join(raw) + b"]"
-        for decoder in (self._common, self._all):
+        for decoder in (self._decoder_of(self._columns_of_some(raw)), self._all):
             with suppress(*_UNREADABLE):
-                return decoder.many.decode(body), self._names(decoder), []
+                return decoder.many.decode(body), decoder.columns, []
         items, wrong = [], []
         for index, one in enumerate(raw):
             try:
@@ -124,12 +134,15 @@ class ItemReader:
             except _UNREADABLE:
                 items.append(self._all.blank)
                 wrong.append(index)
-        return items, self._names(self._all), wrong
+        return items, self._all.columns, wrong
 
-    def _names(self, decoder: _Decoder) -> list[str]:
-        """Columns of numbers, other than the angle, that an item may hold."""
-        names = (name for name in self._columns if hasattr(decoder.blank, _attribute(name)))
-        return [name for name in names if name != THETA_I_DEG.name]
+    def _columns_of_some(self, raw: list[msgspec.Raw]) -> frozenset[str]:
+        """The columns of a few items, most often those of all: with no more, all are read faster."""
+        columns: set[str] = set()
+        for one in raw[:: len(raw) // _SAMPLE + 1]:
+            with suppress(*_UNREADABLE):
+                columns.update(_PARTS.decode(one))
+        return frozenset(columns.intersection(self._known))
 
     def fault(self, raw: msgspec.Raw, hints: Hints) -> Fault:
         """Say what is wrong with an item that could not be decoded."""
@@ -240,33 +253,40 @@ class _Gathered:
     ) -> None:
         """Take decoded items, of which the first is number `start`."""
         here, size = slice(start, start + len(items)), len(items)
+        theta = np.full(size, np.nan)
         for name in columns:
             given: Iterable[Any] = map(attrgetter(_attribute(name)), items)
-            choices = self._choices.get(name)
-            if choices:
-                given = (choices.get(value, value) for value in given)
-            column = np.fromiter(given, np.float64, size)
-            if name not in self._numbers and not np.isnan(column).all():
-                self._numbers[name] = np.full(self._size, np.nan)
-            if name in self._numbers:
-                self._numbers[name][here] = column
-        for name, distinct in self._distinct.items():
-            self._name(name, distinct, list(map(attrgetter(name), items)), here)
-        angles = list(map(attrgetter(THETA_I_DEG.name), items))
-        if list in set(map(type, angles)):
-            arrays = [np.atleast_1d(np.array(angle, np.float64)) for angle in angles]
-            self._listed[here] = [type(angle) is list for angle in angles]
-            self._counts[here] = [array.size for array in arrays]
-            theta = np.concatenate(arrays)
-        else:
-            theta = np.fromiter(angles, np.float64, size)
+            if name in NAMES:
+                self._name(name, list(given), here)
+            elif name == THETA_I_DEG.name:
+                theta = self._angles(list(given), here)
+            else:
+                self._number(name, given, here)
         self._theta_i_deg.append(theta)
         self._malformed += malformed
         self.values += theta.size
 
-    def _name(
-        self, name: str, distinct: dict[str | None, int], said: list[str | None], here: slice
-    ) -> None:
+    def _number(self, name: str, given: Iterable[Any], here: slice) -> None:
+        choices = self._choices.get(name)
+        if choices:
+            given = (choices.get(value, value) for value in given)
+        column = np.fromiter(given, np.float64, here.stop - here.start)
+        if name not in self._numbers and not np.isnan(column).all():
+            self._numbers[name] = np.full(self._size, np.nan)
+        if name in self._numbers:
+            self._numbers[name][here] = column
+
+    def _angles(self, given: list[Any], here: slice) -> Array:
+        """All angles of items one after the other, and how many are whose."""
+        with suppress(TypeError, ValueError):  # raised for lists
+            return np.fromiter(given, np.float64, len(given))
+        arrays = [np.atleast_1d(np.array(angle, np.float64)) for angle in given]
+        self._listed[here] = [type(angle) is list for angle in given]
+        self._counts[here] = [array.size for array in arrays]
+        return np.concatenate(arrays)
+
+    def _name(self, name: str, said: list[str | None], here: slice) -> None:
+        distinct = self._distinct[name]
         for text in dict.fromkeys(said):
             distinct.setdefault(text, len(distinct) - 1)
         if len(distinct) == 1:
