@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Annotated
 
 import typer
@@ -10,7 +11,7 @@ from pydantic import ValidationError
 from app import __version__, server
 from app.commands import queries
 from app.commands.evaluate import evaluate
-from app.settings import Settings
+from app.settings import PREFIX, Settings, without_effect
 
 cli = typer.Typer(
     cls=queries.WithQueries,
@@ -47,12 +48,15 @@ def serve(
     ] = None,
 ) -> None:
     """Serve the page and the API until interrupted."""
+    # Told, not refused: Kubernetes, for one, names variables after the services that it runs.
+    for sentence in without_effect(os.environ):
+        typer.echo(sentence, err=True)
     given = {"host": host, "port": port, "workers": workers}
     try:
         settings = Settings.model_validate({k: v for k, v in given.items() if v is not None})
     except ValidationError as error:
         first = error.errors()[0]
-        hint = f"--{first['loc'][0]} or FRESNEL_{str(first['loc'][0]).upper()}"
+        hint = f"--{first['loc'][0]} or {PREFIX}{str(first['loc'][0]).upper()}"
         raise typer.BadParameter(f"{first['input']!r}: {first['msg']}", param_hint=hint) from None
     server.serve(
         settings,

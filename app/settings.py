@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from difflib import get_close_matches
 from pathlib import Path
 
 from pydantic import Field
@@ -14,10 +16,13 @@ def _static_dir() -> Path:
     return next(path for path in (here / "static", here.parent / "static") if path.is_dir())
 
 
+PREFIX = "FRESNEL_"
+
+
 class Settings(BaseSettings):
     """What an operator may change without touching the code."""
 
-    model_config = SettingsConfigDict(env_prefix="FRESNEL_", extra="ignore", frozen=True)
+    model_config = SettingsConfigDict(env_prefix=PREFIX, extra="forbid", frozen=True)
 
     host: str = Field("127.0.0.1", description="Address to listen on.")
     port: int = Field(8000, ge=0, le=65535, description="Port to listen on; 0 takes a free one.")
@@ -76,3 +81,18 @@ class Settings(BaseSettings):
         description="Host names that are answered for, separated by commas; *.example.org for all "
         "below one, * for all. Health and metrics are answered under any name.",
     )
+
+
+def without_effect(environment: Iterable[str]) -> list[str]:
+    """Sentences on variables that start as the settings do and are none: most are misspelt."""
+    known = [PREFIX + name.upper() for name in Settings.model_fields]
+    told = []
+    for name in sorted(environment):
+        if not name.upper().startswith(PREFIX) or name.upper() in known:
+            continue
+        nearest = get_close_matches(name.upper(), known, n=1, cutoff=0.5)
+        told.append(
+            f"{name} is no setting and has no effect"
+            + (f": did you mean {nearest[0]}?" if nearest else ".")
+        )
+    return told

@@ -18,11 +18,16 @@ export function addressOf(view, state = {}) {
   return query ? `?${query}` : "./";
 }
 
-/** Become what an address says. @param {string} href */
+const FOLLOW = "followlink";
+
+/** Become what an address says, as soon as its view is there. @param {string} href */
 export function follow(href) {
-  history.pushState(null, "", href);
-  window.dispatchEvent(new PopStateEvent("popstate"));
-  window.scrollTo(0, 0);
+  window.dispatchEvent(new CustomEvent(FOLLOW, { detail: href }));
+}
+
+/** @param {(href: string) => void} go */
+export function onFollow(go) {
+  window.addEventListener(FOLLOW, (event) => go(/** @type {CustomEvent<string>} */ (event).detail));
 }
 
 /**

@@ -6,6 +6,7 @@ import { canBeIncident } from "./controls/media.js";
 import { WAVELENGTH } from "./controls/wavelength.js";
 import { byId, h } from "./dom.js";
 import { listenForKeys } from "./keys.js";
+import { onFollow } from "./links.js";
 import { createShell } from "./shell.js";
 import { choice, createState, number, optional, shortened } from "./state.js";
 import { startWorker } from "./transport.js";
@@ -186,10 +187,15 @@ async function start() {
   const opened = new Map();
   /** @type {string | null} */
   let active = null;
+  /** How many addresses were set out for: the last one counts. */
+  let arrivals = 0;
 
   const shell = createShell({
     views: VIEWS,
-    onView: (id) => store?.set({ view: id }),
+    onView(id) {
+      arrivals += 1; // whoever chooses a tab does not wait for a link any more
+      store?.set({ view: id });
+    },
     onTheme: () => {
       for (const { view } of opened.values()) view.theme();
     },
@@ -427,18 +433,28 @@ async function start() {
   /** What the last link came to: its notice stays until something is changed. */
   let linked = "";
 
-  async function followLink() {
-    const asked = new URLSearchParams(location.search).get("view");
+  /**
+   * Become what an address says. Its view is fetched first: the address and the state change as one.
+   * @param {string} href
+   * @param {{anew?: boolean}} [options] whether it is a further page of the history
+   */
+  async function arrive(href, { anew = false } = {}) {
+    arrivals += 1;
+    const arrival = arrivals;
+    const { search } = new URL(href, location.href);
+    const asked = new URLSearchParams(search).get("view");
     await open(VIEWS.some((v) => v.id === asked) ? /** @type {string} */ (asked) : "explore");
     // A link made after a visit to other views carries their state too.
-    if ([...new URLSearchParams(location.search).keys()].some((key) => !(key in state.get()))) {
+    if ([...new URLSearchParams(search).keys()].some((key) => !(key in state.get()))) {
       for (const { fields } of await Promise.all(VIEWS.map((v) => v.load()))) {
         const more = fields(catalog);
         state.extend(more);
         for (const [key, field] of Object.entries(more)) presets[key] ??= field.default;
       }
     }
-    const problems = state.fromQuery(location.search);
+    if (arrival !== arrivals) return;
+    if (anew) history.pushState(null, "", href);
+    const problems = state.fromQuery(search);
     linked = state.toQuery();
     shell.notice(
       "link",
@@ -451,13 +467,15 @@ async function start() {
     );
   }
 
-  await followLink();
+  await arrive(location.href);
+  let arrived = Promise.resolve();
   const steps = createUndo(state);
   const orders = {
     find: async () => (await import("./finder.js")).openFinder(found),
     help: async () => (await import("./help.js")).openHelp(),
-    undo: () => shell.say(steps.undo() ? "Undone" : "Nothing to undo"),
-    redo: () => shell.say(steps.redo() ? "Done again" : "Nothing to redo"),
+    // A link that is under way is the step that is meant.
+    undo: () => arrived.then(() => shell.say(steps.undo() ? "Undone" : "Nothing to undo")),
+    redo: () => arrived.then(() => shell.say(steps.redo() ? "Done again" : "Nothing to redo")),
   };
   /** @type {import('./finder.js').FinderOptions} */
   const found = {
@@ -495,7 +513,12 @@ async function start() {
     ask();
     follow();
   });
-  window.addEventListener("popstate", () => void followLink());
+  window.addEventListener("popstate", () => {
+    arrived = arrive(location.href);
+  });
+  onFollow((href) => {
+    arrived = arrive(href, { anew: true }).then(() => window.scrollTo(0, 0));
+  });
   constants.follow(state.get());
   ask();
   schedule();

@@ -104,10 +104,10 @@ export function createState(
   { window: frame = null, implied = () => ({}), now = Date.now } = {},
 ) {
   const schema = { ...fields };
-  /** @type {Record<string, any>} */
-  let current = Object.fromEntries(
-    Object.entries(schema).map(([key, field]) => [key, field.default]),
-  );
+  /** @returns {Record<string, any>} */
+  const defaults = () =>
+    Object.fromEntries(Object.entries(schema).map(([key, field]) => [key, field.default]));
+  let current = defaults();
   /** @type {Set<(state: Record<string, any>, moving: boolean) => void>} */
   const listeners = new Set();
   let moving = false; // a gesture is open: its history entry exists and is being replaced
@@ -145,6 +145,7 @@ export function createState(
 
   return {
     get: () => current,
+    defaults,
     moving: () => moving,
     toQuery: () => query(),
 
@@ -194,10 +195,7 @@ export function createState(
     fromQuery(search) {
       /** @type {LinkProblem[]} */
       const problems = [];
-      /** @type {Record<string, any>} */
-      const next = Object.fromEntries(
-        Object.entries(schema).map(([key, field]) => [key, field.default]),
-      );
+      const next = defaults();
       const seen = new Set();
       for (const [key, text] of new URLSearchParams(search)) {
         const field = Object.hasOwn(schema, key) ? schema[key] : undefined;

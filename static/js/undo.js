@@ -4,7 +4,7 @@
 
 const MOST = 200;
 
-/** @param {Pick<StateStore, 'get' | 'set' | 'subscribe' | 'toQuery'>} state */
+/** @param {Pick<StateStore, 'get' | 'set' | 'defaults' | 'subscribe' | 'toQuery'>} state */
 export function createUndo(state) {
   /** @type {Record<string, any>[]} */
   let past = [];
@@ -33,7 +33,8 @@ export function createUndo(state) {
     to.push(now);
     stepping = true;
     try {
-      state.set(target);
+      // Views that were opened since have brought fields of their own.
+      state.set({ ...state.defaults(), ...target });
     } finally {
       stepping = false;
     }

@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Route, expect
 
 from tests.browser.explore_page import box, link, opened, settled_link, type_into
 
@@ -28,6 +28,39 @@ def test_undo_and_redo_follow_the_state_not_the_history(quiet_page: Page) -> Non
     settled_link(page, "theta_i_deg", "30")
     page.go_back()  # the undone state was a page of the history
     expect(page).not_to_have_url(re.compile("theta_i_deg"))
+
+
+ADDRESSES = """() => {
+  window.addresses = [];
+  const { pushState } = history;
+  history.pushState = (state, title, address) => {
+    window.addresses.push(address.replace(/^[/]/, ''));
+    pushState.call(history, state, title, address);
+  };
+}"""
+
+
+def test_undo_of_a_link_whose_view_is_under_way_takes_the_link_back(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    type_into(page, "n_t", "1.7")
+    settled_link(page, "n_t", "1.7")
+    held: list[Route] = []
+    page.route("**/views/compare.js", lambda route: held.append(route))
+    page.evaluate(ADDRESSES)
+    page.keyboard.press("Control+k")
+    page.get_by_role("combobox", name="Find a view").fill("lazanyi")
+    with page.expect_request("**/views/compare.js"):
+        page.keyboard.press("Enter")
+    page.keyboard.press("Control+z")
+    assert page.evaluate("() => window.addresses") == []  # the address waits for the state
+    held[0].continue_()
+    page.wait_for_function("() => window.addresses.length === 2")
+    assert page.evaluate("() => window.addresses") == [
+        "?view=compare&against=lazanyi2005",
+        "?n_t=1.7",
+    ]
+    expect(page.locator(".view-explore")).to_be_visible()
+    expect(page.locator(".view-compare")).to_be_hidden()
 
 
 def test_a_box_that_is_written_in_keeps_its_own_undo(quiet_page: Page) -> None:

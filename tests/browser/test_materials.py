@@ -306,6 +306,16 @@ def test_a_link_to_an_unknown_preset_says_so(quiet_page: Page) -> None:
     expect(page.locator(".material-name")).to_have_text("Gold")
 
 
+def test_the_material_of_the_other_views_is_shown_until_one_is_chosen(quiet_page: Page) -> None:
+    page = opened(quiet_page, "&material=Cu")
+    name = page.locator(".material-name")
+    expect(name).to_have_text("Copper")
+    expect(page.locator('.presets [aria-pressed="true"]')).to_contain_text("Copper")
+    page.get_by_role("button", name="Gold: it takes RGB").click()
+    expect(name).to_have_text("Gold")
+    assert link(page) == {"view": "materials", "material": "Cu", "preset": "Au"}
+
+
 def test_numbers_are_copied_in_full(quiet_page: Page) -> None:
     quiet_page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     page = opened(quiet_page)

@@ -39,10 +39,12 @@ def test_media_are_found_by_typing(quiet_page: Page) -> None:
     expect(field).to_have_value(re.compile("^Gold"))
 
 
+@pytest.mark.parametrize("view", ["explore", "compare", "albedo", "preview"])
 @pytest.mark.parametrize("text", ["aurum", "Slovick"])
-def test_media_are_found_by_other_names_and_authors(quiet_page: Page, text: str) -> None:
-    page = opened(quiet_page)
-    field = page.get_by_label("Second medium")
+def test_media_are_found_by_other_names_and_authors(quiet_page: Page, text: str, view: str) -> None:
+    page = quiet_page
+    page.goto(f"/?view={view}")
+    field = page.locator(f".view-{view}").get_by_label("Second medium")
     field.click()
     field.press_sequentially(text)
     expect(page.locator(".media-list [role=option]").first).to_contain_text("Gold")

@@ -119,6 +119,7 @@ def test_a_claim_is_told_in_full(claim: Claim) -> None:
     for text in (claim.title, claim.claimed, claim.where, claim.domain, claim.found):
         assert text.strip() == text
         assert len(text) > 4
+    assert "measured:" not in claim.found.lower()  # what shows it says so
     assert claim.source.url.startswith("https://")
     assert claim.source.year > 1990
     assert claim.figures

@@ -17,9 +17,11 @@ from pathlib import Path
 from urllib.request import urlopen
 
 import pytest
+from pydantic import ValidationError
 from typer.testing import CliRunner
 
 from app.cli import cli
+from app.settings import Settings
 
 ROOT = Path(__file__).parents[2]
 COMMAND = Path(sys.executable).with_name("fresnel-explorer")
@@ -103,6 +105,21 @@ def test_a_bad_port_is_told_without_a_trace(port: str) -> None:
     assert "FRESNEL_PORT" in printed
     assert port in printed
     assert "Traceback" not in printed
+
+
+def test_a_misspelt_setting_is_told() -> None:
+    code, printed = run(FRESNEL_PORT="http", FRESNEL_WORKRES="4", FRESNEL_QQQ="", fresnel_host="x")
+    assert code == 2  # for the port: else it would serve
+    assert (
+        "FRESNEL_WORKRES is no setting and has no effect: did you mean FRESNEL_WORKERS?" in printed
+    )
+    assert "FRESNEL_QQQ is no setting" in printed
+    assert "fresnel_host" not in printed
+
+
+def test_a_setting_that_does_not_exist_is_refused_in_python() -> None:
+    with pytest.raises(ValidationError, match="max_sample"):
+        Settings(max_sample=5)  # type: ignore[call-arg]
 
 
 def test_prints_where_it_serves_and_serves_there() -> None:

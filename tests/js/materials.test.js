@@ -4,7 +4,7 @@ import { stretch, wavelength } from "../../static/js/format.js";
 import { known, spanned, valueAt, within } from "../../static/js/materials/band.js";
 import { COLUMNS, sortedPresets } from "../../static/js/materials/columns.js";
 import { materialFields, wavelengths } from "../../static/js/materials/fields.js";
-import { queries, restCalls, rivalsOf } from "../../static/js/materials/queries.js";
+import { queries, restCalls, rivalsOf, shown } from "../../static/js/materials/queries.js";
 import { citation, condition } from "../../static/js/materials/source.js";
 import { limits, shortName } from "../../static/js/materials/spectrum.js";
 import {
@@ -59,10 +59,19 @@ test("wavelengths in a link are sorted, distinct and within bounds", () => {
 
 test("a link names a preset of the catalog", () => {
   assert.throws(() => FIELDS.preset?.parse("watr"), /water/);
-  assert.equal(FIELDS.preset?.default, "Au");
+  assert.equal(FIELDS.preset?.default, null);
   assert.equal(FIELDS.preset?.parse("water"), "water");
   assert.throws(() => FIELDS.preset?.parse("Unobtainium"), LinkError);
   assert.throws(() => FIELDS.category?.parse("wood"), LinkError);
+});
+
+test("until one is chosen here, the other views' second medium is shown, else gold", () => {
+  /** @param {object} more */
+  const asked = (more) => queries({ ...STATE, ...more }, CATALOG).detail;
+  assert.equal(asked({}), "/materials/Au");
+  assert.equal(asked({ material: "water" }), "/materials/water");
+  assert.equal(asked({ material: "water", preset: "Au-Babar" }), "/materials/Au-Babar");
+  assert.equal(shown(STATE, { ...CATALOG, materials: [preset("glass")] }).preset, "glass");
 });
 
 test("only what a preset has is asked for", () => {

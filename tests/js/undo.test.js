@@ -52,6 +52,15 @@ test("what came by a link is a step too", () => {
   assert.equal(state.get().n, 1.5);
 });
 
+test("what a view brought later goes back to its default", () => {
+  const { state, steps } = started();
+  state.set({ n: 2 });
+  state.extend({ coat: number({ default: 1.5, minimum: 1, maximum: 9 }) });
+  state.set({ coat: 3 });
+  steps.undo();
+  assert.deepEqual({ ...state.get() }, { n: 2, k: 0, coat: 1.5 });
+});
+
 test("the number of steps is bounded", () => {
   const { state, steps } = started();
   for (let i = 1; i <= 500; i += 1) state.set({ n: i / 100 });

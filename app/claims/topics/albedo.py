@@ -83,7 +83,7 @@ def _claims(fit: Fit) -> Iterator[Claim]:
                 if claim.claimed is not None
                 else ()
             ),
-            found="Measured: {largest:.3g}" + f" {unit}. {fit.note}",
+            found="{largest:.3g}" + f" {unit}. {fit.note}",
         )
 
 

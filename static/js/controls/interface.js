@@ -23,7 +23,7 @@ const PRESETS = { n_i: "incident", n_t: "material", k_t: "material" };
  * @param {Actions} options.actions
  * @param {string} options.prefix of the ids
  * @param {Record<string, Manner>} options.manners how each index is shown, in this order
- * @param {() => Promise<void>} [options.describeMedia]
+ * @param {() => Promise<void>} options.describeMedia
  */
 export function createInterface({
   catalog,
@@ -55,7 +55,7 @@ export function createInterface({
 
   const media = createMedia({
     materials: catalog.materials,
-    ...(describeMedia && { describe: describeMedia }),
+    describe: describeMedia,
     actions,
     prefix,
     onPick(side, id) {

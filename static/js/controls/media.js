@@ -45,20 +45,13 @@ export function canBeIncident({ k }) {
 /**
  * @param {object} options
  * @param {Material[]} options.materials
- * @param {() => Promise<void>} [options.describe] completes what media are found by
+ * @param {() => Promise<void>} options.describe completes what media are found by
  * @param {(side: 'incident' | 'material', id: string) => void} options.onPick
  * @param {() => void} options.onSwap
  * @param {import('./wavelength.js').Actions} options.actions
  * @param {string} [options.prefix] of ids
  */
-export function createMedia({
-  materials,
-  describe = async () => {},
-  onPick,
-  onSwap,
-  actions,
-  prefix = "",
-}) {
+export function createMedia({ materials, describe, onPick, onSwap, actions, prefix = "" }) {
   const wavelength = createWavelength({ materials, actions, prefix });
   const shared = { materials, groupOf, note: indices, origin, describe };
   const from = createPicker({

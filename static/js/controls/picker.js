@@ -52,7 +52,7 @@ export function matching(materials, text) {
  * @param {(material: Material) => string} options.note beside the name
  * @param {(material: Material) => string} options.origin where the note comes from
  * @param {(material: Material) => string | null} options.refusal why a medium cannot stand on this side
- * @param {() => Promise<void>} [options.describe] completes what media are found by
+ * @param {() => Promise<void>} options.describe completes what media are found by
  * @param {(id: string) => void} options.onPick
  */
 export function createPicker({
@@ -63,7 +63,7 @@ export function createPicker({
   origin,
   refusal,
   onPick,
-  describe = async () => {},
+  describe,
 }) {
   pickers += 1;
   const own = `media-${pickers}`;

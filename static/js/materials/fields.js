@@ -1,7 +1,6 @@
 /** The state that the Materials view adds to the one all views share. */
 
-import { allowedWords } from "../nearest.js";
-import { choice, LinkError, number } from "../state.js";
+import { choice, LinkError, number, optional } from "../state.js";
 import { COLUMNS } from "./columns.js";
 
 /**
@@ -14,7 +13,6 @@ export const SHIRLEY_NM = Object.freeze([400, 500, 600, 700, 800]);
 /** Where wavelengths are looked at: from the far ultraviolet to radio, whatever a source covers. */
 const NM = { minimum: 1, maximum: 1e9 };
 const MOST_WAVELENGTHS = 12;
-const FIRST = "Au";
 
 /** What a reader is looking for. @returns {Field} */
 function words() {
@@ -48,24 +46,12 @@ export function wavelengths() {
   };
 }
 
-/** One of many ids. @param {string[]} ids @returns {Field} */
-function known(ids) {
-  return {
-    default: ids.includes(FIRST) ? FIRST : ids[0],
-    parse(text) {
-      if (!ids.includes(text)) throw new LinkError(allowedWords(ids, text));
-      return text;
-    },
-    print: String,
-  };
-}
-
 /** @param {Catalog} catalog @returns {Record<string, Field>} */
 export function materialFields({ materials }) {
   const ids = materials.map((m) => m.id);
   const categories = [...new Set(materials.map((m) => m.category))];
   return {
-    preset: known(ids),
+    preset: optional(ids),
     find: words(),
     category: choice("all", ["all", ...categories]),
     of_kind: choice("all", ["all", "spectrum", "single"]),

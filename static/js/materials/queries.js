@@ -13,6 +13,9 @@ const MODELS = "schlick,f82_tint,exact";
 /** An index that stands for itself, without a spectrum, is seen by the models that take one. */
 const INDEX_MODELS = "exact,schlick";
 
+/** What is shown until one is chosen. */
+const FIRST = "Au";
+
 /** @param {string} route @param {(string | false | null)[]} parts */
 function path(route, parts) {
   const query = parts.filter(Boolean).join("&");
@@ -22,6 +25,17 @@ function path(route, parts) {
 /** @param {Catalog} catalog @param {string} id */
 export function presetOf({ materials }, id) {
   return materials.find((m) => m.id === id);
+}
+
+/**
+ * The state with the preset that is shown: what was chosen here, else the other views' second medium.
+ * @param {State} state
+ * @param {Catalog} catalog
+ * @returns {State}
+ */
+export function shown(state, { materials }) {
+  const first = materials.find((m) => m.id === FIRST) ?? materials[0];
+  return { ...state, preset: state.preset ?? state.material ?? first?.id };
 }
 
 /** Other measurements of the same material. @param {Catalog} catalog @param {string} id @returns {string[]} */
@@ -78,12 +92,13 @@ function mapPath({ preset, map_of }) {
 
 /**
  * Paths by name. While one walks through the table only the list and the preset itself are asked for.
- * @param {State} state
+ * @param {State} now
  * @param {Catalog} catalog
  * @param {boolean} [moving]
  * @returns {Record<string, string>}
  */
-export function queries(state, catalog, moving = false) {
+export function queries(now, catalog, moving = false) {
+  const state = shown(now, catalog);
   const preset = presetOf(catalog, state.preset);
   /** @type {Record<string, string>} */
   const wanted = { list: listPath(state), detail: detailPath(state) };

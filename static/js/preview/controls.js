@@ -59,8 +59,9 @@ function modelSelect(models, label, onPick) {
  * @param {State} options.presets
  * @param {() => State} options.state
  * @param {Actions} options.actions
+ * @param {() => Promise<void>} options.describeMedia
  */
-export function createControls({ catalog, presets, state, actions }) {
+export function createControls({ catalog, presets, state, actions, describeMedia }) {
   const { rows, media } = createInterface({
     catalog,
     presets,
@@ -68,6 +69,7 @@ export function createControls({ catalog, presets, state, actions }) {
     actions,
     prefix: "preview-",
     manners: MANNERS,
+    describeMedia,
   });
 
   const sides = SIDES.map((side) => {

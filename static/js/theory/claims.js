@@ -70,12 +70,7 @@ function card(claim) {
     ),
     h("h3", {}, ...words(claim.title)),
     h("p", { class: "claimed" }, ...words(claim.claimed)),
-    h(
-      "p",
-      { class: "found" },
-      h("b", {}, "Measured: "),
-      ...words(claim.found.replace(/^Measured: /, "")),
-    ),
+    h("p", { class: "found" }, h("b", {}, "Measured: "), ...words(claim.found)),
     h("p", { class: "hint" }, ...words(claim.domain)),
     claim.parts.length
       ? h(

@@ -10,7 +10,7 @@ import { materialFields } from "../materials/fields.js";
 import { createHead } from "../materials/head.js";
 import { createMap } from "../materials/map.js";
 import { createNumbers } from "../materials/numbers.js";
-import { presetOf } from "../materials/queries.js";
+import { presetOf, shown } from "../materials/queries.js";
 import { createRivals, createSource } from "../materials/source.js";
 import { createSpectrum } from "../materials/spectrum.js";
 import { loadStyle } from "../style.js";
@@ -85,8 +85,9 @@ export function createView({ element, views, catalog, actions, state, say, save 
   }
 
   return {
-    /** @param {State} now @param {Record<string, any>} answers */
-    update(now, answers) {
+    /** @param {State} state @param {Record<string, any>} answers */
+    update(state, answers) {
+      const now = shown(state, catalog);
       for (const name of Object.keys(problems))
         if (answers[name] !== before[name]) delete problems[name];
       before = answers;
@@ -115,7 +116,7 @@ export function createView({ element, views, catalog, actions, state, say, save 
 
     /** @param {State} now @param {Record<string, any>} answers */
     sentence(now, { detail: known }) {
-      if (known?.id !== now.preset) return "";
+      if (known?.id !== shown(now, catalog).preset) return "";
       const { n, k, F0, wavelength_nm } = known.constants;
       const at = wavelength_nm === null ? "" : ` at ${plain(wavelength_nm)} nanometers`;
       return `${known.name}${at}: n ${plain(n, 5)}, k ${k === null ? "not given" : plain(k, 4)}, ${percent(F0)} reflected at normal incidence.`;

@@ -30,9 +30,18 @@ await loadStyle("css/preview.css");
 const short = (x) => (x === 0 ? "0" : x < 0.1 ? significant(x, 2) : plain(x, 3));
 
 /** @param {ViewContext} context */
-export function createView({ element, catalog, presets, state, actions, say, save }) {
+export function createView({
+  element,
+  catalog,
+  presets,
+  state,
+  actions,
+  say,
+  save,
+  describeMedia,
+}) {
   const sides = createSides(catalog);
-  const controls = createControls({ catalog, presets, state, actions });
+  const controls = createControls({ catalog, presets, state, actions, describeMedia });
   const examples = createExamples({ onShow: actions.set });
   const stage = createStage({ state, actions, save, onMeasured: showDifference });
   const takeaway = createTakeaway({ catalog, state, actions, say, save });
