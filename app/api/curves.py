@@ -29,7 +29,7 @@ from app.api.responses import (
 from app.api.route import QueryRoute
 from app.api.schemas import CurvesOut
 from app.optics.amplitudes import amplitudes, phase_deg, power
-from app.optics.angles import brewster_deg, critical_deg, pseudo_brewster_deg
+from app.optics.angles import LANDMARKS
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
@@ -71,13 +71,7 @@ def sampled_incidence(interface: Interface, samples: int, landmarks: bool) -> In
     equally_spaced = _equally_spaced(samples)
     if not landmarks:
         return equally_spaced
-    marks = np.array(
-        [
-            float(brewster_deg(interface)),
-            float(critical_deg(interface)),
-            float(pseudo_brewster_deg(interface)),
-        ]
-    )
+    marks = np.array([float(angle(interface)) for angle in LANDMARKS.values()])
     marks = marks[np.isfinite(marks)]
     return Incidence.from_degrees(np.unique(np.concatenate([equally_spaced.theta_i_deg, marks])))
 

@@ -217,5 +217,6 @@ class SamplesQuery(QueryModel):
     )
     landmarks: bool = Field(
         False,
-        description="Add Brewster's, the critical and the pseudo-Brewster angle to the samples.",
+        description="Add Brewster's, the critical, the pseudo-Brewster and the principal angle to "
+        "the samples.",
     )

@@ -9,7 +9,7 @@ import numpy as np
 import orjson
 
 from app.api.presets import PresetInterface, preset_json
-from app.optics.angles import brewster_deg, critical_deg, pseudo_brewster_deg
+from app.optics.angles import LANDMARKS
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.ready import ReadyBody
@@ -75,9 +75,7 @@ def interface_json(interface: Interface) -> dict[str, Any]:
         "kind": interface.kind,
         "F0": float(interface.F0),
         "F82": float(interface.F82),
-        "brewster_deg": number_or_null(brewster_deg(interface)),
-        "critical_deg": number_or_null(critical_deg(interface)),
-        "pseudo_brewster_deg": number_or_null(pseudo_brewster_deg(interface)),
+        **{name: number_or_null(angle(interface)) for name, angle in LANDMARKS.items()},
         "incident": preset_json(named.incident) if named and named.incident else None,
         "material": preset_json(named.material) if named and named.material else None,
     }

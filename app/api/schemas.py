@@ -38,6 +38,10 @@ class InterfaceOut(BaseModel):
     brewster_deg: float | None = Field(description="Angle where Rp = 0; null in absorbers.")
     critical_deg: float | None = Field(description="Angle of total reflection; null if none.")
     pseudo_brewster_deg: float = Field(description="Angle of least Rp.")
+    principal_deg: float = Field(
+        description="Smallest angle where the phases of r_p and r_s are 90 degrees apart; "
+        "Brewster's angle without absorption."
+    )
     incident: ResolvedPresetOut | None = Field(
         description="The preset that n_i comes from; null if it was given as a number."
     )

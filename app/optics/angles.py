@@ -1,10 +1,10 @@
-"""The angles at which something happens: Brewster's, the critical and the pseudo-Brewster angle."""
+"""Angles at which something happens: Brewster's, critical, pseudo-Brewster and principal angle."""
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 from scipy.optimize import brentq
@@ -94,6 +94,89 @@ def _least_Rp_deg(eta: float, kappa: float) -> float:
     return math.degrees(math.atan(math.sqrt(t)))
 
 
+def principal_deg(interface: Interface) -> Array:
+    r"""Principal angle, where the phases of r_p and r_s are 90 degrees apart.
+
+    Linearly polarized light of both components in the right proportion comes back circularly polarized
+    there. The angle obeys
+
+    .. math:: |N^2 - \sin^2\theta_i| = \sin^2\theta_i \tan^2\theta_i
+
+    with N = eta + i kappa, since with q = sqrt(N^2 - sin^2) the ratio r_p/r_s is
+    (sin tan - q)/(sin tan + q), of which the real part vanishes. In the plane of complex N^2 this is a
+    circle about sin^2 theta_i [1]_. It is solved one interface at a time.
+
+    Returns
+    -------
+    Array
+        Degrees above 0 and below 90, of the interface's shape. Without absorption it is Brewster's
+        angle, where the phase of r_p jumps. Where three angles obey, which takes |N| < 1, it is the
+        smallest.
+
+    References
+    ----------
+    .. [1] R. M. A. Azzam, Contours of constant principal angle and constant principal azimuth in the
+       complex epsilon plane, J. Opt. Soc. Am. 71, 1523 (1981).
+
+    Examples
+    --------
+    >>> from app.optics.amplitudes import amplitudes, phase_deg
+    >>> from app.optics.incidence import Incidence
+    >>> gold = Interface(n_t=0.27, k_t=2.9)
+    >>> at = amplitudes(gold, Incidence.from_degrees(principal_deg(gold)))
+    >>> round(float(phase_deg(at.r_p) - phase_deg(at.r_s)) % 180, 9)
+    90.0
+    """
+    lossless = brewster_deg(interface)
+    if not interface.is_conductor:
+        return lossless
+    solved = np.vectorize(_quadrature_deg, otypes=[np.float64])(interface.eta, interface.kappa)
+    return np.where(np.isnan(lossless), solved, lossless)
+
+
+def _quadrature_deg(eta: float, kappa: float) -> float:
+    """Solve t^2 = |N^2 + (N^2 - 1) t| for the least t = tan^2(theta_i).
+
+    By the triangle inequality every root is within |N^2|/high and high, each of which is the root
+    itself without absorption, above and below eta = 1.
+    """
+    square = complex(eta, kappa) ** 2
+    size, reach = abs(square), abs(square - 1.0)
+    high = 0.5 * reach + math.hypot(0.5 * reach, math.sqrt(size))
+
+    def excess(t: float) -> float:
+        return t * t - abs(square + (square - 1.0) * t)
+
+    # Rounding must not leave the root outside.
+    low, high = size / high * (1.0 - 1e-9), high * (1.0 + 1e-9)
+    turn = _first_maximum(square)
+    if turn is not None and low < turn < high and excess(turn) > 0.0:
+        high = turn
+    t = brentq(excess, low, high, xtol=1e-300, rtol=4.0 * np.finfo(float).eps)
+    return math.degrees(math.atan(math.sqrt(t)))
+
+
+def _first_maximum(square: complex) -> float | None:
+    """Where t^4 - |N^2 + (N^2 - 1) t|^2 has a maximum, beyond which further roots may lie.
+
+    Half its slope is 2 t^3 - a t + b with a = |N^2 - 1|^2 and b = Re N^2 - |N^2|^2, which falls below 0
+    between two positive roots only if b is positive, |N| < 1 that is, and small enough.
+    """
+    a, b = abs(square - 1.0) ** 2, square.real - abs(square) ** 2
+    if b <= 0.0 or 27.0 * b * b > 2.0 * a**3:
+        return None
+    scale = math.sqrt(a / 6.0)
+    return 2.0 * scale * math.sin(math.asin(min(b / (4.0 * scale**3), 1.0)) / 3.0)
+
+
+LANDMARKS: Mapping[str, Callable[[Interface], Array]] = {
+    "brewster_deg": brewster_deg,
+    "critical_deg": critical_deg,
+    "pseudo_brewster_deg": pseudo_brewster_deg,
+    "principal_deg": principal_deg,
+}
+"""The angles by their names in the API; each is NaN where there is none."""
+
 _ANGLE = Axis("angle_deg", r"\theta_i", "angle of incidence", "deg")
 
 
@@ -150,5 +233,26 @@ FORMULAS = (
         at=Interface(1.0, 1.5, 3.0),
         takes=(K_T,),
         curve=_over_eta(0.2, 4.0, pseudo_brewster_deg, "pseudo-Brewster angle"),
+    ),
+    Formula(
+        id="angle.principal",
+        title="Principal angle",
+        latex=r"\arg r_p-\arg r_s=\pm 90^\circ,\quad "
+        r"|N^2-\sin^2\theta_P|=\sin^2\theta_P\tan^2\theta_P,\quad "
+        r"\theta_P=\theta_B\ \text{for}\ \kappa=0",
+        symbols=(
+            Symbol("N", "complex relative index eta + i kappa"),
+            Symbol(r"\theta_P", "principal angle, where the phases are 90 degrees apart", "rad"),
+            Symbol(r"\theta_B", "Brewster's angle", "rad"),
+        ),
+        reference="R. M. A. Azzam, Contours of constant principal angle and constant principal azimuth "
+        "in the complex epsilon plane, J. Opt. Soc. Am. 71, 1523 (1981), doi:10.1364/JOSA.71.001523",
+        validity="Every interface; the smallest, where there are three, which takes |N| < 1. Without "
+        "absorption it is Brewster's angle, where the phase jumps by 180 degrees. Ellipsometers "
+        "measure metals near it; it is close to the pseudo-Brewster angle, but not the same.",
+        accuracy=(rounding(1e-14, "angle", "eta from 0.2 to 4, kappa from 0.1 to 8"),),
+        at=Interface(1.0, 1.5, 3.0),
+        takes=(K_T,),
+        curve=_over_eta(0.2, 4.0, principal_deg, "principal angle"),
     ),
 )

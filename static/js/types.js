@@ -10,7 +10,7 @@
  *   n_range_nm: [number, number] | null, aliases?: string[], source?: string}} Material
  * @typedef {{n_i: number, n_t: number, k_t: number, eta: number, kappa: number, kind: string,
  *   F0: number, F82: number, brewster_deg: number | null, critical_deg: number | null,
- *   pseudo_brewster_deg: number | null}} Interface
+ *   pseudo_brewster_deg: number, principal_deg: number}} Interface
  * @typedef {{model: string, quantity: string, values: (number | null)[], reason?: string | null}} Curve
  * @typedef {{interface: Interface, theta_i_deg: number[], curves: Curve[]}} Curves
  * @typedef {{re: number, im: number, abs: number, phase_deg: number}} Amplitude

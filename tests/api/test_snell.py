@@ -114,6 +114,15 @@ def test_the_interface_is_described(ask: Ask) -> None:
     assert metal["F0"] == pytest.approx((0.25 + 25.0) / (6.25 + 25.0), abs=1e-15)
 
 
+def test_at_the_principal_angle_the_phases_are_90_degrees_apart(ask: Ask) -> None:
+    metal = {"n_i": 1.33, "n_t": 0.27, "k_t": 2.9}
+    angle = ray(ask, **metal)["interface"]["principal_deg"]
+    there = ray(ask, **metal, theta_i_deg=angle)
+    apart = there["r_p"]["phase_deg"] - there["r_s"]["phase_deg"]
+    assert apart % 180.0 == pytest.approx(90.0, abs=1e-9)
+    assert there["interface"]["pseudo_brewster_deg"] != angle
+
+
 def test_total_internal_reflection(ask: Ask) -> None:
     told = ray(ask, n_i=1.5, n_t=1.0, theta_i_deg=60)
     assert told["total_internal_reflection"] is True

@@ -16,6 +16,7 @@ const MEDIA = {
   brewster_deg: 56.3,
   critical_deg: null,
   pseudo_brewster_deg: 56.3,
+  principal_deg: 56.3,
 };
 
 /** @param {Partial<typeof MEDIA>} [media] */
@@ -90,8 +91,10 @@ test("landmarks are those that exist, each named once", () => {
     landmarksOf({ ...MEDIA, critical_deg: 41.8 }).map((l) => l.label),
     ["Brewster", "critical"],
   );
-  assert.deepEqual(landmarksOf({ ...MEDIA, brewster_deg: null, pseudo_brewster_deg: 70 }), [
+  const metal = { ...MEDIA, brewster_deg: null, pseudo_brewster_deg: 70, principal_deg: 71 };
+  assert.deepEqual(landmarksOf(metal), [
     { deg: 70, label: "pseudo-Brewster" },
+    { deg: 71, label: "principal" },
   ]);
 });
 

@@ -13,7 +13,7 @@ import pytest
 from mpmath import mp, mpf
 
 from app.optics.albedo import FITS, albedo, coat_split, flatland_albedo
-from app.optics.angles import brewster_deg, critical_deg, pseudo_brewster_deg
+from app.optics.angles import brewster_deg, critical_deg, principal_deg, pseudo_brewster_deg
 from app.optics.conversions import TITLES, Form, convert, know
 from app.optics.formula import Formula
 from app.optics.formulas import UnknownFormula, default_formulas, of_model, symbols_of
@@ -44,7 +44,9 @@ def relative(found: float, expected: float) -> float:
 def test_everything_registered_is_there() -> None:
     expected = {f"model.{name}" for name in MODELS} | {f"albedo.{name}" for name in FITS}
     expected |= {f"conversion.{name}" for name in TITLES}
-    expected |= {f"angle.{name}" for name in ("brewster", "critical", "pseudo_brewster")}
+    expected |= {
+        f"angle.{name}" for name in ("brewster", "critical", "pseudo_brewster", "principal")
+    }
     assert expected <= set(FORMULAS)
 
 
@@ -164,6 +166,25 @@ def critical() -> float:
             relative(float(critical_deg(Interface(1.0, eta))), float(mp.degrees(mp.asin(mpf(eta)))))
             for eta in np.geomspace(1e-3, 1.0 - 1e-9, 300)
         )
+
+
+def principal() -> float:
+    """Against the zero of the real part of r_p / r_s, by the textbook quotients."""
+    errors = []
+    for eta in (0.2, 0.6, 1.5, 4.0):
+        for kappa in (0.1, 1.0, 3.0, 8.0):
+            found = float(principal_deg(Interface(1.0, eta, kappa)))
+            with mp.workdps(DIGITS):
+                square = mp.mpc(eta, kappa) ** 2
+
+                def in_phase(theta: mpf, square: mp.mpc = square) -> mpf:
+                    q, c = mp.sqrt(square - mp.sin(theta) ** 2), mp.cos(theta)
+                    r_p = (square * c - q) / (square * c + q)
+                    return mp.re(r_p / ((c - q) / (c + q)))
+
+                root = mp.findroot(in_phase, mp.radians(found))
+                errors.append(relative(found, float(mp.degrees(root))))
+    return max(errors)
 
 
 def pseudo_brewster() -> float:
@@ -348,6 +369,7 @@ MEASURED: dict[str, Callable[[], float]] = {
     "angle.brewster": brewster,
     "angle.critical": critical,
     "angle.pseudo_brewster": pseudo_brewster,
+    "angle.principal": principal,
     "angle.refraction": refraction,
     "angle.penetration_depth": penetration_depth,
     "albedo.exact": absorbers,

@@ -8,10 +8,16 @@ from typing import Any
 
 import numpy as np
 import pytest
-from mpmath import mp, mpf
+from mpmath import mp, mpc, mpf
 
 from app.optics.amplitudes import amplitudes, phase_deg, power
-from app.optics.angles import brewster_deg, critical_deg, pseudo_brewster_deg
+from app.optics.angles import (
+    LANDMARKS,
+    brewster_deg,
+    critical_deg,
+    principal_deg,
+    pseudo_brewster_deg,
+)
 from app.optics.incidence import Incidence
 from app.optics.interface import MU_BAR, Interface
 from app.optics.snell import is_totally_reflected, refraction_angle_deg
@@ -155,9 +161,76 @@ def test_pseudo_brewster_of_faint_absorption_is_brewsters(
     assert angle == pytest.approx(lossless, rel=1e-11)
 
 
+def ahead_of_90(n_t: float, k_t: float, degrees: mpf) -> mpf:
+    """Cosine of the phase of r_p / r_s by the textbook quotients: -1 at 0 degrees, 1 at 90."""
+    square, theta = mpc(n_t, k_t) ** 2, mp.radians(degrees)
+    q = mp.sqrt(square - mp.sin(theta) ** 2)
+    r_s = (mp.cos(theta) - q) / (mp.cos(theta) + q)
+    r_p = (square * mp.cos(theta) - q) / (square * mp.cos(theta) + q)
+    return mp.cos(mp.arg(r_p / r_s))
+
+
+@pytest.mark.parametrize(
+    ("n_t", "k_t"),
+    [
+        (1.5, 1e-6),
+        (1.5, 0.3),
+        (0.27, 2.9),
+        (2.9, 3.0),
+        (1e-3, 1e-3),
+        (1e-3, 5.0),
+        (1.0, 1e-6),
+        (30.0, 100.0),
+        (100.0, 1e-2),
+        (1e-3, 100.0),
+        (0.3, 1e-4),  # three angles from here on: the smallest
+        (0.35, 0.01),
+        (0.43, 0.05),
+        (0.05, 1e-3),
+        (0.4, 0.2),  # and one again
+    ],
+)
+def test_principal_angle_is_the_first_where_the_phases_are_90_degrees_apart(
+    n_t: float, k_t: float
+) -> None:
+    angle = float(principal_deg(Interface(1.0, n_t, k_t)))
+    with mp.workdps(50):
+        assert ahead_of_90(n_t, k_t, angle * mpf(1 - 1e-12)) < 0
+        assert ahead_of_90(n_t, k_t, angle * mpf(1 + 1e-12)) > 0
+        assert all(ahead_of_90(n_t, k_t, mpf(angle) * i / 200) < 0 for i in range(1, 200))
+
+
+def test_three_principal_angles_of_30_degrees_are_one() -> None:
+    """N^2 = (5 + i sqrt(2))/27, where three angles coincide [Azzam 1981, abstract]."""
+    index = np.sqrt((5.0 + 1j * np.sqrt(2.0)) / 27.0)
+    # A triple root is known to a third of the digits.
+    assert float(principal_deg(Interface(1.0, index.real, index.imag))) == pytest.approx(
+        30.0, abs=1e-4
+    )
+
+
+@pytest.mark.parametrize(
+    ("n_i", "n_t", "k_t"),
+    [(1.0, 1.5, 1e-9), (1.5, 1.0, 1e-9), (10.0, 0.5, 1e-9), (1e-3, 100.0, 1e-9)],
+)
+def test_principal_becomes_brewsters_without_absorption(n_i: float, n_t: float, k_t: float) -> None:
+    lossless = float(brewster_deg(Interface(n_i, n_t)))
+    assert float(principal_deg(Interface(n_i, n_t))) == lossless
+    assert float(principal_deg(Interface(n_i, n_t, k_t))) == pytest.approx(lossless, rel=1e-11)
+
+
+@pytest.mark.parametrize("k_t", [10.0, 100.0])
+def test_principal_angle_of_strong_absorbers(k_t: float) -> None:
+    """For large |N| sin tan = |N| (1 + O(|N|^-2)), as books on metals print it."""
+    n_t = 0.3 * k_t
+    theta = np.radians(principal_deg(Interface(1.0, n_t, k_t)))
+    size = np.hypot(n_t, k_t)
+    assert np.sin(theta) * np.tan(theta) == pytest.approx(size, rel=1.0 / size**2)
+
+
 def test_angles_broadcast() -> None:
     interface = Interface([[1.0], [1.5]], [1.2, 1.5, 1.8], [[0.0], [0.5]])
-    for angle in (brewster_deg, critical_deg, pseudo_brewster_deg):
+    for angle in LANDMARKS.values():
         values = angle(interface)
         assert values.shape == (2, 3)
         each = Interface(1.5, 1.2, 0.5)

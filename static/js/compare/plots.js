@@ -196,10 +196,7 @@ export function createPlots({ parent, models, actions, save }) {
             }))
           : plain;
         const marks = landmarksOf(answers.curves.interface)
-          .filter(
-            (m) =>
-              m.label === "critical" || m.label === "Brewster" || m.label === "pseudo-Brewster",
-          )
+          .filter((m) => m.label !== "principal") // of the phases, which are not drawn here
           .map((m) => ({
             x: inUnit(m.deg, state.angle),
             label: m.label,

@@ -141,7 +141,7 @@ export function createControls({ catalog, presets, state, actions, describeMedia
       {
         value: "marks",
         label: "marks",
-        note: "Brewster's, the critical and the pseudo-Brewster angle",
+        note: "Brewster's, the critical, the pseudo-Brewster and the principal angle",
       },
     ],
     onChange: (picked) =>

@@ -14,13 +14,15 @@ import { angle, inUnit, six } from "../format.js";
 /** While something moves, the numbers are written as often as an eye can catch, ms apart. */
 const READABLE = 100;
 
-/** @type {() => Entry[]} */
+/** Four columns where there is room. @type {() => Entry[]} */
 const SUMMARY = () => [
   { name: "R", heading: symbol("R"), get: (r) => r.R },
   { name: "Rs", heading: symbol("R_s"), get: (r) => r.Rs },
   { name: "Rp", heading: symbol("R_p"), get: (r) => r.Rp },
-  { name: "T", heading: symbol("T"), get: (r) => r.T },
   { name: "F0", heading: symbol("F_0"), get: (r) => r.interface.F0 },
+  { name: "T", heading: symbol("T"), get: (r) => r.T },
+  { name: "Ts", heading: symbol("T_s"), get: (r) => r.Ts },
+  { name: "Tp", heading: symbol("T_p"), get: (r) => r.Tp },
   { name: "F82", heading: symbol("F_{82}"), get: (r) => r.interface.F82 },
   { name: "theta_t", heading: symbol("\\theta_t"), get: (r) => r.theta_t_deg, degrees: true },
   {
@@ -28,6 +30,8 @@ const SUMMARY = () => [
     heading: "depth / λ",
     get: (r) => r.penetration_depth_wavelengths,
   },
+  { name: "eta", heading: symbol("\\eta"), get: (r) => r.interface.eta },
+  { name: "kappa", heading: symbol("\\kappa"), get: (r) => r.interface.kappa },
   { name: "brewster", heading: "Brewster", get: (r) => r.interface.brewster_deg, degrees: true },
   { name: "critical", heading: "critical", get: (r) => r.interface.critical_deg, degrees: true },
   {
@@ -36,7 +40,7 @@ const SUMMARY = () => [
     get: (r) => r.interface.pseudo_brewster_deg,
     degrees: true,
   },
-  { name: "eta", heading: symbol("\\eta"), get: (r) => r.interface.eta },
+  { name: "principal", heading: "principal", get: (r) => r.interface.principal_deg, degrees: true },
 ];
 
 const AMPLITUDES = /** @type {const} */ (["r_s", "r_p", "t_s", "t_p"]);

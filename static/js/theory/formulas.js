@@ -70,6 +70,7 @@ export function used({ id, kind, takes }) {
   }
   if (kind === "angle") {
     if (name === "pseudo_brewster") return ["Open in Explore", "explore", { k_t: 3 }];
+    if (name === "principal") return ["Open in Explore", "explore", { k_t: 3, show: "phase" }];
     return name === "brewster"
       ? ["Open in Explore", "explore", { theta_i_deg: 56.309932474020215 }]
       : [
