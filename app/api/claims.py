@@ -16,7 +16,16 @@ from app.api.problems import MissingResource
 from app.api.responses import json_body
 from app.api.route import QueryRoute
 from app.api.table import RouteTable
-from app.claims import CLAIMS, Claim, Figure, Part, Source, UnknownClaim, Verdict, find_claim
+from app.claims import (
+    Claim,
+    Figure,
+    Part,
+    Source,
+    UnknownClaim,
+    Verdict,
+    claims_of,
+    find_claim,
+)
 from app.ready import ReadyBody
 
 
@@ -24,6 +33,9 @@ class ClaimsQuery(DigitsQuery):
     """Which claims."""
 
     verdict: Verdict | None = Field(None, description="Only claims that were judged so.")
+    example: str | None = Field(
+        None, description="Only claims that this named example of the Compare view shows."
+    )
 
 
 class SourceOut(BaseModel):
@@ -80,7 +92,9 @@ class ClaimsOut(BaseModel):
     """Claims, measured."""
 
     claims: list[ClaimOut]
-    verdicts: dict[Verdict, int] = Field(description="How many of all claims were judged how.")
+    verdicts: dict[Verdict, int] = Field(
+        description="How many claims were judged how: of all, or of the example's."
+    )
 
 
 def _source_json(source: Source, where: str) -> dict[str, Any]:
@@ -156,7 +170,7 @@ def router(table: RouteTable) -> APIRouter:
     measured = _Measured(table)
 
     def all_claims(query: ClaimsQuery) -> ReadyBody:
-        every = measured.describe(CLAIMS.values())
+        every = measured.describe(claims_of(query.example))
         verdicts = [claim["verdict"] for claim in every]
         payload = {
             "claims": [c for c in every if query.verdict in (None, c["verdict"])],

@@ -17,6 +17,10 @@ class UnknownClaim(UnknownName):
     """An id that is no claim's."""
 
 
+class UnknownExample(UnknownName):
+    """An example that no claim names."""
+
+
 @dataclass(frozen=True, slots=True)
 class Source:
     """Where a claim stands.

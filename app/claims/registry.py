@@ -7,7 +7,7 @@ import pkgutil
 from collections.abc import Mapping
 
 from app.claims import topics
-from app.claims.claim import Claim, UnknownClaim, by_id
+from app.claims.claim import Claim, UnknownClaim, UnknownExample, by_id
 
 
 def _all() -> Mapping[str, Claim]:
@@ -31,3 +31,20 @@ def find_claim(claim_id: str, parameter: str = "claim_id") -> Claim:
         return CLAIMS[claim_id]
     except KeyError:
         raise UnknownClaim(parameter, claim_id, CLAIMS) from None
+
+
+def claims_of(example: str | None) -> list[Claim]:
+    """Return the claims that a named example shows, all without one.
+
+    Raises
+    ------
+    UnknownExample
+        If no claim names it, naming the nearest that are.
+    """
+    if example is None:
+        return list(CLAIMS.values())
+    found = [claim for claim in CLAIMS.values() if claim.example == example]
+    if not found:
+        known = {claim.example for claim in CLAIMS.values() if claim.example}
+        raise UnknownExample("example", example, known)
+    return found

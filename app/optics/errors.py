@@ -45,6 +45,7 @@ class UnknownName(OpticsError):
         self.nearest = get_close_matches(value.lower(), names, n=3, cutoff=0.5)
         hint = f"nearest: {', '.join(self.nearest)}" if self.nearest else f"one of {names}"
         super().__init__(parameter, repr(value), hint)
+        self.value = value
 
 
 class UnknownModel(UnknownName):

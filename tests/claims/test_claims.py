@@ -127,11 +127,21 @@ def test_a_claim_is_told_in_full(claim: Claim) -> None:
     assert all(figure.request.startswith("/") for figure in claim.figures)
 
 
-def test_examples_are_those_of_the_page() -> None:
+def test_every_example_of_the_page_has_claims() -> None:
     ids = set(re.findall(r'^    id: "([^"]+)"', PAGE.read_text("utf-8"), re.MULTILINE))
-    assert {claim.example for claim in CLAIMS.values() if claim.example} == ids & {
-        claim.example for claim in CLAIMS.values()
-    }
+    assert len(ids) > 5
+    assert {claim.example for claim in CLAIMS.values() if claim.example} == ids
+
+
+def test_the_claims_of_an_example(app: FastAPI, cards: Mapping[str, Any]) -> None:
+    answer = send(app, f"{PREFIX}/claims?example=lagarde-lazanyi".encode())
+    assert answer.json()["claims"] == [cards["lazanyi-alpha"], cards["lazanyi-dip"]]
+    assert sum(answer.json()["verdicts"].values()) == 2
+    wrong = send(app, f"{PREFIX}/claims?example=lagarde-lazany".encode())
+    assert wrong.status == 422
+    (told,) = wrong.json()["errors"]
+    assert (told["parameter"], told["value"]) == ("example", "lagarde-lazany")
+    assert "lagarde-lazanyi" in told["message"]
 
 
 def test_one_claim(app: FastAPI, cards: Mapping[str, Any]) -> None:

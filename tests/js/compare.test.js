@@ -2,7 +2,6 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { matches } from "../../static/js/compare/chooser.js";
 import { convertPath, filled, printValue, texts } from "../../static/js/compare/conversions.js";
-import { measured } from "../../static/js/compare/examples.js";
 import { compareFields, focused, ranges } from "../../static/js/compare/fields.js";
 import { COLUMNS, printCost, short, sorted } from "../../static/js/compare/metrics.js";
 import { later, queries, restCalls } from "../../static/js/compare/queries.js";
@@ -132,7 +131,6 @@ test("while something moves only curves are asked for, and slow questions come l
   assert.doesNotMatch(map ?? "", /[?&]n_t=/);
   assert.deepEqual(Object.keys(later(state, CATALOG)), [
     "errors",
-    "errors@3",
     "convert",
     "recommend",
     "shader",
@@ -270,40 +268,8 @@ test("each example is a state of its own that the page recognizes", () => {
     assert.ok(shows(stateOf(example, presets), state));
     assert.ok(shows(stateOf(example, presets), { ...state, over: "n-k" }));
     assert.ok(!shows(stateOf(example, presets), { ...state, n_t: 7 }));
-    assert.ok(
-      example.measured.some((piece) => typeof piece !== "string"),
-      example.id,
-    );
-    // No figure is typed where one is measured: digits in the text are the interface's.
-    const typed = example.measured.filter((piece) => typeof piece === "string").join("");
-    assert.doesNotMatch(typed, /0\.0\d|%/, example.id);
+    assert.equal(later(state, CATALOG).claims, `/claims?example=${example.id}`);
   }
-});
-
-test("measured figures come from the answers, and are missing until those are there", () => {
-  const answers = {
-    errors: { errors: [{ model: "schlick", max_abs: 0.0357, max_abs_at_deg: 84.97 }] },
-    "sweep:schlick": {
-      model: "schlick",
-      over: "n_t",
-      values: [1, 1.5, 2, 2.5],
-      max_relative: [9, 0.2, 0.3, 5],
-    },
-    curves: curves(1.5, curve("exact", [0, 0.1, 1]), curve("exact", [0, 0.3, 1], "Rs")),
-    recommend: { models: [], refused: [{ model: "lazanyi2005", parameters: { alpha: 7.70539 } }] },
-  };
-  /** @param {any} figure */
-  const at = (figure) => measured(figure, answers);
-  assert.equal(at({ of: "errors", model: "schlick", metric: "max_abs" }), "0.0357");
-  assert.equal(at({ of: "errors", model: "schlick", metric: "max_abs_at_deg" }), "85.0°");
-  assert.equal(at({ of: "errors", model: "schlick", metric: "max_abs", n: 3 }), null);
-  assert.equal(at({ of: "errors", metric: "F0" }), "4.0\u00a0%");
-  assert.equal(
-    at({ of: "sweep", model: "schlick", metric: "max_relative", within: [1.5, 2] }),
-    "30.0\u00a0%",
-  );
-  assert.equal(at({ of: "split" }), "0.200");
-  assert.equal(at({ of: "solved", model: "lazanyi2005", metric: "alpha" }), "7.7054");
 });
 
 test("what is converted follows the media, the boxes and the picture's color", () => {

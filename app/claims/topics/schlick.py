@@ -147,6 +147,7 @@ CLAIMS = (
         parts=(Part(says="no worse than inside the range", figure="water", at_most="inside"),),
         found="{water:.1%} relative and {water_abs:.3f} absolute: relative to R no worse than the "
         "{inside:.1%} inside the range.",
+        example="lagarde-range",
     ),
     Claim(
         id="schlick-below-polarization",
@@ -221,6 +222,7 @@ CLAIMS = (
         found="{water:.2f} off for water, {diamond:.2f} for diamond; a lake under an even sky "
         "becomes "
         "{bright:.2f} too bright.",
+        example="wloka-water-diamond",
     ),
     Claim(
         id="polynomial-like-texture",

@@ -1,71 +1,36 @@
-/** Named examples: one click shows a source's figure, and what of its claim is measured. */
+/** Named examples: one click shows a source's figure, what it claims and what is measured. */
 
-import { h, setText } from "../dom.js";
+import { h } from "../dom.js";
 import { EXAMPLES, shows, stateOf } from "../examples.js";
-import { angle, percent, plain } from "../format.js";
-import { candidatesOf, rowsOf, sweepOf } from "./answers.js";
-import { short } from "./metrics.js";
+import { pageLink } from "../links.js";
+import { words } from "../prose.js";
 
 /**
  * @typedef {import('../types.js').State} State
- * @typedef {import('../examples.js').Figure} Figure
- * @typedef {import('../examples.js').Example} Example
+ * @typedef {{id: string, claimed: string, found: string, verdict: string,
+ *   source: {author: string, year: number, where: string}}} Claim
  */
 
-/** @param {string} metric @param {number} value */
-function print(metric, value) {
-  if (metric.endsWith("_deg")) return angle(value, "deg", 1);
-  if (metric === "F0" || metric === "max_relative") return percent(value);
-  return short(value);
-}
-
-/**
- * A measured figure, null as long as the answer that holds it is under way.
- * @param {Figure} figure
- * @param {Record<string, any>} answers
- * @returns {string | null}
- */
-export function measured({ of, model, metric = "", n, within }, answers) {
-  const at = n === undefined ? "" : `@${n}`;
-  if (of === "errors" && metric === "F0") {
-    const F0 = answers[`curves${at}`]?.interface.F0;
-    return F0 === undefined ? null : print(metric, F0);
-  }
-  if (of === "errors") {
-    const row = rowsOf(answers[`errors${at}`]).find((r) => r.model === model);
-    const value = row?.[/** @type {'max_abs'} */ (metric)];
-    return value === undefined || value === null ? null : print(metric, value);
-  }
-  if (of === "sweep" && within) {
-    const answer = answers[`sweep:${model}`];
-    if (!answer) return null;
-    const { x, metrics } = sweepOf(answer);
-    const [low, high] = within;
-    const step = Math.abs((x[1] ?? 1) - (x[0] ?? 0));
-    const values = (metrics[metric] ?? []).filter(
-      (v, i) => v !== null && (x[i] ?? 0) > low - step / 2 && (x[i] ?? 0) < high + step / 2,
-    );
-    return values.length === 0
-      ? null
-      : print(metric, Math.max(.../** @type {number[]} */ (values)));
-  }
-  if (of === "solved") {
-    const { good, bad } = candidatesOf(answers.recommend);
-    const value = [...good, ...bad].find((c) => c.model === model)?.parameters[metric];
-    return value === undefined || value === null ? null : plain(value, 5);
-  }
-  if (of === "split") {
-    /** @param {string} quantity @returns {(number | null)[]} */
-    const values = (quantity) =>
-      answers.curves?.curves.find(
-        (/** @type {import('../types.js').Curve} */ c) =>
-          c.model === "exact" && c.quantity === quantity,
-      )?.values ?? [];
-    const R = values("R");
-    const apart = values("Rs").map((s, i) => Math.abs((s ?? 0) - (R[i] ?? 0)));
-    return apart.length === 0 ? null : short(Math.max(...apart));
-  }
-  return null;
+/** What was claimed, and what is so. @param {Claim} claim */
+function told({ id, claimed, found, verdict, source }) {
+  return [
+    h(
+      "p",
+      {},
+      h("b", { title: source.where }, `${source.author} ${source.year}:`),
+      " ",
+      ...words(claimed),
+    ),
+    h(
+      "p",
+      { class: "found" },
+      h("span", { class: "tag" }, "measured"),
+      " ",
+      ...words(found),
+      " ",
+      pageLink(`It ${verdict}: figures and requests`, "theory", { section: "claims", claim: id }),
+    ),
+  ];
 }
 
 /**
@@ -88,15 +53,12 @@ export function createExamples({ presets, actions }) {
     );
     return { example, button };
   });
-  const source = h("b", {});
-  const claim = h("span", {});
-  const found = h("p", { class: "found" });
+  const claims = h("div", { class: "example-claims" });
   const away = h("p", { class: "away" });
   const caption = h(
     "div",
     { class: "caption", hidden: true, role: "group", "aria-label": "Claim and measurement" },
-    h("p", {}, source, " ", claim),
-    found,
+    claims,
     away,
   );
   const list = h(
@@ -113,6 +75,8 @@ export function createExamples({ presets, actions }) {
   );
   /** @type {string | null} */
   let revealed = null;
+  /** @type {Claim[] | null} */
+  let shown = null;
 
   return {
     element,
@@ -129,9 +93,7 @@ export function createExamples({ presets, actions }) {
       caption.hidden = !example;
       if (!example) return;
       const here = shows(stateOf(example, presets), state);
-      setText(source, `${example.source}:`);
-      setText(claim, example.claim);
-      found.hidden = !here;
+      claims.hidden = !here;
       away.hidden = here;
       if (!here) {
         if (away.childElementCount === 0)
@@ -153,14 +115,11 @@ export function createExamples({ presets, actions }) {
         caption.dataset.example = example.id;
         return;
       }
-      if (moving && caption.dataset.example === example.id) return;
       caption.dataset.example = example.id;
-      const pieces = example.measured.map((piece) =>
-        typeof piece === "string"
-          ? piece
-          : h("b", { class: "figure-value" }, measured(piece, answers) ?? "…"),
-      );
-      found.replaceChildren(h("span", { class: "tag" }, "measured"), " ", ...pieces);
+      const now = answers.claims?.claims ?? null;
+      if (moving || (now !== null && now === shown)) return;
+      shown = now;
+      claims.replaceChildren(...(now?.flatMap(told) ?? ["Measuring …"]));
     },
   };
 }

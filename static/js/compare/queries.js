@@ -38,11 +38,10 @@ function curvesPath(state, catalog, n) {
   ]);
 }
 
-/** @param {State} state @param {Catalog} catalog @param {number} [n] */
-function errorsPath(state, catalog, n) {
-  const here = n === undefined ? state : { ...state, n_t: n };
+/** @param {State} state @param {Catalog} catalog */
+function errorsPath(state, catalog) {
   return path("/errors", [
-    ...mediaQuery(here, catalog),
+    ...mediaQuery(state, catalog),
     `models=${state.against.join(",")}`,
     ...parameterQuery(state, catalog.models, state.against),
     "samples=2", // the errors over the angle are in the curves already
@@ -133,10 +132,8 @@ export function queries(state, catalog, moving = false) {
 export function later(state, catalog) {
   /** @type {Record<string, string>} */
   const wanted = {};
-  if (state.against.length) {
-    wanted.errors = errorsPath(state, catalog);
-    for (const n of state.family) wanted[`errors@${n}`] = errorsPath(state, catalog, n);
-  }
+  if (state.example) wanted.claims = `/claims?example=${state.example}`;
+  if (state.against.length) wanted.errors = errorsPath(state, catalog);
   if (!isMap(state.over)) {
     for (const id of state.against.filter((/** @type {string} */ one) => !hasTriple(state, one)))
       wanted[`sweep:${id}`] = sweepPath(state, catalog, id);

@@ -4,7 +4,7 @@ import { h, setText } from "../dom.js";
 import { EXAMPLES } from "../examples.js";
 import { percent, signed, significant } from "../format.js";
 import { pageLink } from "../links.js";
-import { words } from "./prose.js";
+import { words } from "../prose.js";
 
 /**
  * @typedef {import('../types.js').State} State

@@ -10,8 +10,8 @@ import { shortTitle } from "../model-traces.js";
 import { modelStyle } from "../palette.js";
 import { createDataTables } from "../plot/data-table.js";
 import { createPlot } from "../plots.js";
+import { display, math, pieces, words } from "../prose.js";
 import { UNTOUCHED } from "./fields.js";
-import { display, math, pieces, words } from "./prose.js";
 
 /**
  * @typedef {import('../types.js').State} State

@@ -4,9 +4,9 @@ import { createCoat } from "../albedo/coat.js";
 import { h, setText } from "../dom.js";
 import { landmarksOf } from "../explore/reading.js";
 import { pageLink } from "../links.js";
+import { pieces } from "../prose.js";
 import { UNTOUCHED } from "./fields.js";
 import { settingOf } from "./lesson.js";
-import { pieces } from "./prose.js";
 import { createRows } from "./rows.js";
 import { createStage } from "./stage.js";
 

@@ -2,7 +2,7 @@
 
 import { h } from "../dom.js";
 import { pageLink } from "../links.js";
-import { pieces } from "./prose.js";
+import { pieces } from "../prose.js";
 
 /**
  * @typedef {object} Sheet

@@ -1,7 +1,7 @@
 /** Text with mathematics in it: `the share $R$ is …`, `the **normal**`. */
 
-import { h } from "../dom.js";
-import { typeset } from "../typeset.js";
+import { h } from "./dom.js";
+import { typeset } from "./typeset.js";
 
 /**
  * @param {string} latex
