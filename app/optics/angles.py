@@ -60,8 +60,8 @@ def pseudo_brewster_deg(interface: Interface) -> Array:
 
     References
     ----------
-    .. [1] S. Y. Kim and K. Vedam, Analytic solution of the pseudo-Brewster angle, J. Opt. Soc.
-       Am. A 3, 1772 (1986).
+    .. [1] R. M. A. Azzam, Complex reflection coefficients of p- and s-polarized light at the
+       pseudo-Brewster angle of a dielectric-conductor interface, J. Opt. Soc. Am. A 30, 1975 (2013).
     """
     lossless = brewster_deg(interface)
     if not interface.is_conductor:
@@ -225,10 +225,11 @@ FORMULAS = (
             Symbol(r"\theta_{pB}", "pseudo-Brewster angle, where R_p is least", "rad"),
             Symbol(r"\theta_B", "Brewster's angle", "rad"),
         ),
-        reference="S. Y. Kim and K. Vedam, Analytic solution of the pseudo-Brewster angle, J. Opt. Soc. "
-        "Am. A 3, 1772 (1986), doi:10.1364/JOSAA.3.001772",
+        reference="R. M. A. Azzam, Complex reflection coefficients of p- and s-polarized light at the "
+        "pseudo-Brewster angle of a dielectric-conductor interface, J. Opt. Soc. Am. A 30, 1975 "
+        "(2013), doi:10.1364/JOSAA.30.001975",
         validity="Every interface: the angle of least R_p, which is 0 without absorption alone. It is "
-        "solved numerically, since the closed form loses its digits.",
+        "solved numerically.",
         accuracy=(rounding(1e-14, "angle", "eta from 0.2 to 4, kappa from 0.1 to 8"),),
         at=Interface(1.0, 1.5, 3.0),
         takes=(K_T,),
