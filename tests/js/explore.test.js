@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { landmarksOf, readingAt } from "../../static/js/explore/reading.js";
+import { allLandmarksOf, landmarksOf, readingAt } from "../../static/js/explore/reading.js";
 import { axesOf, marksOf, tracesOf } from "../../static/js/explore/traces.js";
 
 /** @type {import("../../static/js/types.js").Interface} */
@@ -92,10 +92,12 @@ test("landmarks are those that exist, each named once", () => {
     ["Brewster", "critical"],
   );
   const metal = { ...MEDIA, brewster_deg: null, pseudo_brewster_deg: 70, principal_deg: 71 };
-  assert.deepEqual(landmarksOf(metal), [
+  assert.deepEqual(landmarksOf(metal), [{ deg: 70, label: "pseudo-Brewster" }]);
+  assert.deepEqual(allLandmarksOf(metal), [
     { deg: 70, label: "pseudo-Brewster" },
     { deg: 71, label: "principal" },
   ]);
+  assert.deepEqual(allLandmarksOf(MEDIA), landmarksOf(MEDIA));
 });
 
 test("the plot shows R, Rs and Rp, and what is laid over them", () => {

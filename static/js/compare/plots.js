@@ -195,13 +195,11 @@ export function createPlots({ parent, models, actions, save }) {
               y: t.y.map((v) => (v === null ? null : 100 * v)),
             }))
           : plain;
-        const marks = landmarksOf(answers.curves.interface)
-          .filter((m) => m.label !== "principal") // of the phases, which are not drawn here
-          .map((m) => ({
-            x: inUnit(m.deg, state.angle),
-            label: m.label,
-            kind: /** @type {const} */ ("landmark"),
-          }));
+        const marks = landmarksOf(answers.curves.interface).map((m) => ({
+          x: inUnit(m.deg, state.angle),
+          label: m.label,
+          kind: /** @type {const} */ ("landmark"),
+        }));
         if (moving && look === drawn.look) {
           upper.fast(curves, marks);
           lower.fast(

@@ -89,7 +89,8 @@ export function readingAt(curves, snell, theta_i_deg) {
 }
 
 /**
- * Brewster's, the critical, the pseudo-Brewster and the principal angle, as far as they exist and differ.
+ * Where R, Rs and Rp turn: Brewster's, the critical and the pseudo-Brewster angle, as far as they exist
+ * and differ.
  * @param {Interface} media
  * @returns {{deg: number, label: string}[]}
  */
@@ -97,9 +98,13 @@ export function landmarksOf(media) {
   const marks = [];
   if (media.brewster_deg !== null) marks.push({ deg: media.brewster_deg, label: "Brewster" });
   if (media.critical_deg !== null) marks.push({ deg: media.critical_deg, label: "critical" });
-  if (media.brewster_deg === null) {
+  if (media.brewster_deg === null)
     marks.push({ deg: media.pseudo_brewster_deg, label: "pseudo-Brewster" });
-    marks.push({ deg: media.principal_deg, label: "principal" });
-  }
   return marks;
+}
+
+/** These, and the principal angle of the phases. @param {Interface} media */
+export function allLandmarksOf(media) {
+  const principal = { deg: media.principal_deg, label: "principal" };
+  return [...landmarksOf(media), ...(media.brewster_deg === null ? [principal] : [])];
 }

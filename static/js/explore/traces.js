@@ -2,7 +2,7 @@
 
 import { inUnit } from "../format.js";
 import { modelTraces } from "../model-traces.js";
-import { landmarksOf, values } from "./reading.js";
+import { allLandmarksOf, values } from "./reading.js";
 
 /**
  * @typedef {import('../types.js').Curves} Curves
@@ -73,7 +73,7 @@ function branch(degrees) {
 /** @param {Curves} curves @param {Shown} shown */
 export function marksOf(curves, shown) {
   if (!shown.marks) return [];
-  return landmarksOf(curves.interface).map(({ deg, label }) => ({
+  return allLandmarksOf(curves.interface).map(({ deg, label }) => ({
     x: inUnit(deg, shown.angle),
     label,
     kind: /** @type {const} */ ("landmark"),

@@ -3,6 +3,7 @@
 import { createCoat } from "../albedo/coat.js";
 import { h, setText } from "../dom.js";
 import { landmarksOf } from "../explore/reading.js";
+import { percent, plain } from "../format.js";
 import { pageLink } from "../links.js";
 import { pieces } from "../prose.js";
 import { UNTOUCHED } from "./fields.js";
@@ -144,15 +145,7 @@ export function createLessons({ lessons, key, title, intro, context }) {
     count.hidden = key !== "step";
     setText(heading, lesson.title);
     body.replaceChildren(
-      ...(lesson.code
-        ? [
-            h(
-              "pre",
-              { class: "trap-code", tabindex: "0", "aria-label": "Code with the mistake" },
-              h("code", {}, lesson.code),
-            ),
-          ]
-        : []),
+      ...(lesson.code ? [h("pre", { class: "trap-code" }, h("code", {}, lesson.code))] : []),
       ...lesson.text.map((paragraph) => h("p", {}, ...pieces(paragraph))),
     );
     trials = (lesson.tries ?? []).map((trial) => {
@@ -251,10 +244,10 @@ export function createLessons({ lessons, key, title, intro, context }) {
         button.setAttribute("aria-pressed", String(on));
       }
       if (lesson.picture === "colors" && answers.detail?.id === setting.of) {
-        const { name, display, F0 } = answers.detail;
+        const { name, display, constants } = answers.detail;
         live.replaceChildren(
           h("span", { class: "swatch", style: `--swatch: ${display.hex}`, "aria-hidden": "true" }),
-          `${name}: straight on ${display.F0.map((/** @type {number} */ c) => c.toFixed(2)).join(", ")} as linear red, green and blue; ${(100 * F0).toFixed(0)} % at its own wavelength.`,
+          `${name}: reflects straight on ${display.F0.map((/** @type {number} */ c) => c.toFixed(2)).join(", ")} as linear red, green and blue; ${percent(constants.F0)} at ${plain(constants.wavelength_nm)} nm.`,
         );
       } else if (lesson.live && (answered || moving)) setText(live, lesson.live(scene));
       const touched = Object.keys(UNTOUCHED).some((name) => now[name] !== null);

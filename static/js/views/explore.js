@@ -6,7 +6,7 @@ import { h } from "../dom.js";
 import { ANGLE_STEPS, createControls } from "../explore/controls.js";
 import { createDefinitions } from "../explore/definitions.js";
 import { createNumbers } from "../explore/numbers.js";
-import { landmarksOf, readingAt } from "../explore/reading.js";
+import { allLandmarksOf, readingAt } from "../explore/reading.js";
 import { createSplit } from "../explore/split.js";
 import { spreadPaths } from "../explore/spread-paths.js";
 import { axesOf, marksOf, tracesOf } from "../explore/traces.js";
@@ -111,7 +111,7 @@ export function createView({
   let answers = {};
   let drawn = { curves: /** @type {unknown} */ (null), look: "", settled: false };
 
-  const landmarks = () => (answers.curves ? landmarksOf(answers.curves.interface) : []);
+  const landmarks = () => (answers.curves ? allLandmarksOf(answers.curves.interface) : []);
   const stops = () => (now?.marks === "on" ? landmarks() : []);
 
   /** @param {number} deg @param {boolean} free */
