@@ -2,31 +2,52 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.batch.rows import Fault, Hints, Index, Names, Rows, parted
+from app.batch.rows import Fault, Hints, Names, Rows, parted
 from app.materials import (
+    NEGLIGIBLE_K,
     USELESS_WAVELENGTH,
+    Constants,
     Preset,
-    Resolved,
     UnknownMaterial,
+    constants_at,
     default_catalog,
     given_beside,
-    indices_at,
-    resolve_incident,
-    resolve_material,
+    warnings_as_incident,
+    warnings_as_material,
 )
 from app.optics.errors import OpticsError
 from app.optics.parameters import K_T, N_I, N_T, WAVELENGTH_NM, Array
 
-_SIDES: dict[str, tuple[Callable[[str, float | None], Resolved], tuple[str, ...]]] = {
-    "material": (resolve_material, (N_T.name, K_T.name)),
-    "incident": (resolve_incident, (N_I.name,)),
+
+class _Side(NamedTuple):
+    """A column that names presets.
+
+    Attributes
+    ----------
+    numbers
+        What a preset stands for.
+    judge
+        Refuses what may not stand there.
+    is_transparent
+        Whether only what does not absorb may.
+    """
+
+    numbers: tuple[str, ...]
+    judge: Callable[[Preset, Constants], object]
+    is_transparent: bool
+
+
+_SIDES = {
+    "material": _Side((N_T.name, K_T.name), warnings_as_material, is_transparent=False),
+    "incident": _Side((N_I.name,), warnings_as_incident, is_transparent=True),
 }
-"""Columns that name presets: what says why one is refused, and the numbers that it stands for."""
 
 
 def resolved(rows: Rows) -> Rows:
@@ -74,7 +95,7 @@ class _Task:
         for side, column in self._given.items():
             named = column.codes >= 0
             anything |= named
-            for name in _SIDES[side][1]:
+            for name in _SIDES[side].numbers:
                 if name in self.numbers:
                     both = named & ~np.isnan(self.numbers[name])
 
@@ -83,11 +104,8 @@ class _Task:
 
                     self._refuse_numbers(both, name, beside)
         if WAVELENGTH_NM.name in self.numbers:
-            given, wrong = (
-                ~np.isnan(self._wavelength_nm),
-                ~WAVELENGTH_NM.admits(self._wavelength_nm),
-            )
-            name = WAVELENGTH_NM.name
+            name, given = WAVELENGTH_NM.name, ~np.isnan(self._wavelength_nm)
+            wrong = ~WAVELENGTH_NM.admits(self._wavelength_nm)
             self._refuse_numbers(given & wrong, name, lambda _: WAVELENGTH_NM.allowed)
             self._refuse_numbers(given & ~anything, name, lambda _: USELESS_WAVELENGTH)
 
@@ -97,7 +115,7 @@ class _Task:
             return
         codes, distinct = self._given[side]
         named = np.flatnonzero((codes >= 0) & self._right)
-        columns = [self._column(name) for name in _SIDES[side][1]]
+        columns = [self._column(name) for name in _SIDES[side].numbers]
         hints = Hints()
         for code, which in parted(codes[named], named):
             name = distinct[code]
@@ -108,13 +126,17 @@ class _Task:
                     self._refuse(row, fault)
                 continue
             at = self._wavelength_nm[which]
-            n, k = indices_at(preset, at)
-            if side == "incident":
-                n = np.where(k > 0.0, np.nan, n)
-            for column, values in zip(columns, (n, k), strict=False):
+            n, k = constants_at(preset, at)
+            counts = np.where(k >= NEGLIGIBLE_K, k, 0.0)
+            wrong = ~(N_T.admits(n) & K_T.admits(counts))
+            if _SIDES[side].is_transparent:
+                wrong |= counts > 0.0
+            for column, values in zip(columns, (n, counts), strict=False):
                 column[which] = values
-            wrong = np.isnan(np.broadcast_to(n, which.shape))
-            self._explain(side, name, preset, which[wrong])
+            if wrong.any():
+                told = self._faults(side, name, preset, at[wrong], n[wrong], k[wrong])
+                for row, fault in zip(which[wrong].tolist(), told, strict=True):
+                    self._refuse(row, fault)
 
     def _column(self, name: str) -> Array:
         """A column of its own, to be written to."""
@@ -123,22 +145,19 @@ class _Task:
         self.numbers[name] = column
         return column
 
-    def _explain(self, side: str, name: str, preset: Preset, which: Index) -> None:
-        """Say why rows are refused, in the words that `/snell` has for a single one."""
-        wavelengths, asked = np.unique(self._wavelength_nm[which], return_inverse=True)
-        told: dict[object, OpticsError] = {}
-        faults: list[Fault] = []
-        for wavelength_nm in wavelengths.tolist():
-            given = None if np.isnan(wavelength_nm) else wavelength_nm
-            alike = _alike(preset, given)
+    def _faults(
+        self, side: str, name: str, preset: Preset, at: Array, n: Array, k: Array
+    ) -> Iterator[Fault]:
+        """Say what is wrong with rows, in the words that `/snell` has for a single one."""
+        told: dict[object, tuple[str, str]] = {}
+        for row in zip(at.tolist(), n.tolist(), k.tolist(), strict=True):
+            wavelength_nm, *known = (None if math.isnan(number) else number for number in row)
+            alike = _alike(preset, wavelength_nm) if known[0] is None else row
             if alike not in told:
-                told[alike] = _why(side, preset, given)
-            error = told[alike]
-            value = given if error.parameter == WAVELENGTH_NM.name else name
-            parameter = side if error.parameter == "material" else error.parameter
-            faults.append(Fault(parameter, value, error.allowed))
-        for row, at in zip(which.tolist(), asked.tolist(), strict=True):
-            self._refuse(row, faults[at])
+                told[alike] = _why(side, preset, wavelength_nm, *known)
+            parameter, message = told[alike]
+            value = wavelength_nm if parameter == WAVELENGTH_NM.name else name
+            yield Fault(parameter, value, message)
 
 
 def _nearest(name: str) -> str:
@@ -146,19 +165,29 @@ def _nearest(name: str) -> str:
 
 
 def _alike(preset: Preset, wavelength_nm: float | None) -> object:
-    """The same of wavelengths that are refused in the same words: finding them takes long."""
-    if wavelength_nm is None or preset.kind == "single":
-        return wavelength_nm is None
-    spectrum = default_catalog().spectrum(preset.id)
-    for quantity, span in (("n", spectrum.n_range_nm), ("k", spectrum.k_range_nm)):
-        if span is not None and not span[0] <= wavelength_nm <= span[1]:
-            return quantity
-    return wavelength_nm
+    """The same of all wavelengths at which a preset is not known for the same reason."""
+    if wavelength_nm is not None and preset.kind == "spectrum":
+        low, high = default_catalog().spectrum(preset.id).n_range_nm
+        return low <= wavelength_nm <= high
+    return None
 
 
-def _why(side: str, preset: Preset, wavelength_nm: float | None) -> OpticsError:
+def _why(
+    side: str, preset: Preset, wavelength_nm: float | None, n: float | None, k: float | None
+) -> tuple[str, str]:
+    """Say why a preset is refused: it is not known there, or may not stand where it does.
+
+    Returns
+    -------
+    tuple
+        The parameter that is wrong, and what would be right.
+    """
     try:
-        _SIDES[side][0](preset.id, wavelength_nm)
+        if n is None:
+            default_catalog().constants(preset.id, wavelength_nm)
+        else:
+            at = preset.wavelength_nm if wavelength_nm is None else wavelength_nm
+            _SIDES[side].judge(preset, Constants(n, k, at))
     except OpticsError as error:
-        return error
+        return error.parameter, error.allowed
     raise RuntimeError(f"{preset.id} at {wavelength_nm} nm is refused for no reason")

@@ -15,12 +15,14 @@ from app.materials.media import (
     NEGLIGIBLE_K,
     USELESS_WAVELENGTH,
     Resolved,
+    constants_at,
     default_catalog,
     given_beside,
-    indices_at,
     resolve_incident,
     resolve_material,
     transparency_warnings,
+    warnings_as_incident,
+    warnings_as_material,
 )
 from app.materials.schema import Category, Preset
 from app.materials.spectrum import Spectrum, Visible
@@ -42,10 +44,10 @@ __all__ = [
     "WavelengthOutOfRange",
     "appearance",
     "color_curve",
+    "constants_at",
     "default_catalog",
     "f82_tint",
     "given_beside",
-    "indices_at",
     "interface",
     "load_catalog",
     "reflectance",
@@ -53,4 +55,6 @@ __all__ = [
     "resolve_material",
     "rgb_constants",
     "transparency_warnings",
+    "warnings_as_incident",
+    "warnings_as_material",
 ]

@@ -63,16 +63,7 @@ def resolve_material(name: str, wavelength_nm: float | None) -> Resolved:
         If the preset is not known at the wavelength, or is known to be beyond n_t's or k_t's bounds.
     """
     preset, constants = _constants(name, wavelength_nm)
-    _within_bounds(preset, constants)
-    warnings = _of_the_middle(preset)
-    if constants.k is None:
-        warnings.append("k is not known and counts as 0")
-    elif 0.0 < constants.k < NEGLIGIBLE_K:
-        warnings.append(
-            f"k = {constants.k:.3g} is below {NEGLIGIBLE_K:g} and counts as 0; "
-            f"give n_t = {float(constants.n)!r} and k_t = {float(constants.k)!r} to keep it"
-        )
-    return Resolved(preset, constants, tuple(warnings))
+    return Resolved(preset, constants, tuple(warnings_as_material(preset, constants)))
 
 
 def resolve_incident(name: str, wavelength_nm: float | None) -> Resolved:
@@ -86,10 +77,39 @@ def resolve_incident(name: str, wavelength_nm: float | None) -> Resolved:
         If the preset is not known at the wavelength, is beyond n_i's bounds or absorbs there.
     """
     preset, constants = _constants(name, wavelength_nm)
+    return Resolved(preset, constants, tuple(warnings_as_incident(preset, constants)))
+
+
+def warnings_as_material(preset: Preset, constants: Constants) -> list[str]:
+    """Say what counts otherwise than it was measured in the second medium.
+
+    Raises
+    ------
+    OutOfRange
+        If n_t or k_t may not be what it is.
+    """
     _within_bounds(preset, constants)
     warnings = _of_the_middle(preset)
-    warnings += transparency_warnings(preset, constants.k)
-    return Resolved(preset, constants, tuple(warnings))
+    if constants.k is None:
+        warnings.append("k is not known and counts as 0")
+    elif 0.0 < constants.k < NEGLIGIBLE_K:
+        warnings.append(
+            f"k = {constants.k:.3g} is below {NEGLIGIBLE_K:g} and counts as 0; "
+            f"give n_t = {float(constants.n)!r} and k_t = {float(constants.k)!r} to keep it"
+        )
+    return warnings
+
+
+def warnings_as_incident(preset: Preset, constants: Constants) -> list[str]:
+    """Say what counts otherwise than it was measured in the medium in front.
+
+    Raises
+    ------
+    OutOfRange, NotAllowed
+        If n_i may not be what it is, or if it absorbs.
+    """
+    _within_bounds(preset, constants)
+    return _of_the_middle(preset) + transparency_warnings(preset, constants.k)
 
 
 def transparency_warnings(preset: Preset, k: float | None) -> list[str]:
@@ -137,8 +157,8 @@ def _of_the_middle(preset: Preset) -> list[str]:
     return [f"the source gives n from {preset.n_min:g} to {preset.n_max:g}; this is the middle"]
 
 
-def indices_at(preset: Preset, wavelength_nm: Array) -> tuple[Array, Array]:
-    """Evaluate a preset at many wavelengths by the rules of `resolve_material`.
+def constants_at(preset: Preset, wavelength_nm: Array) -> tuple[Array, Array]:
+    """Evaluate a preset at many wavelengths, as `resolve_material` does at one.
 
     Parameters
     ----------
@@ -150,14 +170,14 @@ def indices_at(preset: Preset, wavelength_nm: Array) -> tuple[Array, Array]:
     Returns
     -------
     tuple
-        n, NaN where `resolve_material` would refuse, and the k that counts, 0 where negligible.
+        n, NaN at a wavelength at which the preset is not known, and k, NaN where that is not known.
     """
     left_out = np.isnan(wavelength_nm)
     if preset.category == "vacuum":
         known, n, k = np.ones(left_out.shape, np.bool_), np.asarray(preset.n), np.asarray(0.0)
     elif preset.kind == "single":
         known = left_out | (wavelength_nm == preset.wavelength_nm)
-        n, k = np.asarray(preset.n), np.asarray(preset.k or 0.0)
+        n, k = np.asarray(preset.n), np.asarray(np.nan if preset.k is None else preset.k)
     else:
         spectrum = default_catalog().spectrum(preset.id)
         own = np.nan if preset.wavelength_nm is None else preset.wavelength_nm
@@ -166,6 +186,5 @@ def indices_at(preset: Preset, wavelength_nm: Array) -> tuple[Array, Array]:
         known = (at >= low) & (at <= high)
         within = np.where(known, at, low)
         absorbs = spectrum.k(within)
-        n, k = spectrum.n(within), np.zeros(at.shape) if absorbs is None else absorbs
-    known = known & N_T.admits(n) & K_T.admits(k)
-    return np.where(known, n, np.nan), np.where(k < NEGLIGIBLE_K, 0.0, k)
+        n, k = spectrum.n(within), np.full(at.shape, np.nan) if absorbs is None else absorbs
+    return np.where(known, n, np.nan), np.broadcast_to(k, known.shape)
