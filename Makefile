@@ -10,7 +10,7 @@ BROWSERS := chromium chromium-browser google-chrome-stable google-chrome
 export PATH := $(CURDIR)/$(BIN):$(CURDIR)/node_modules/.bin:$(PATH)
 
 .NOTPARALLEL:
-.PHONY: help run test format lint types unit browser fuzz bench lock audit vendor readme pictures chromium glslang clean
+.PHONY: help run test format lint types unit browser fuzz bench lock audit vendor readme pictures icons chromium glslang clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -69,6 +69,9 @@ readme: $(VENV)/test.stamp ## rewrite the tables in README.md that are made from
 
 pictures: $(VENV)/test.stamp chromium ## take the README's pictures from the running page
 	python tools/pictures.py
+
+icons: $(VENV)/test.stamp chromium ## draw the page's icons from its mark
+	python -m tools.icons
 
 $(BIN)/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \

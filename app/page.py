@@ -83,7 +83,7 @@ def _of_document(scope: Scope) -> dict[str, str]:
 
 
 # What compression gains nothing on is left to the file system.
-_TEXT = {".css", ".html", ".js", ".json", ".svg", ".txt"}
+_TEXT = {".css", ".html", ".js", ".json", ".svg", ".txt", ".webmanifest"}
 
 
 class Page(StaticFiles):

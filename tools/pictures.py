@@ -76,18 +76,25 @@ def take(
     page.close()
 
 
-def main() -> None:
-    """Take all pictures."""
+@contextlib.contextmanager
+def launched() -> Iterator[Browser]:
+    """Start the machine's own browser."""
     executable = os.environ.get("CHROME_PATH") or next(filter(None, map(shutil.which, BROWSERS)))
     # Chromium refuses to run its sandbox as root.
     arguments = ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
-    FOLDER.mkdir(exist_ok=True)
-    with served() as address, sync_playwright() as playwright:
+    with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=executable, args=arguments)
+        yield browser
+        browser.close()
+
+
+def main() -> None:
+    """Take all pictures."""
+    FOLDER.mkdir(exist_ok=True)
+    with served() as address, launched() as browser:
         for name, scheme, path, drawn in PICTURES:
             take(browser, f"{address}{path}", scheme, drawn, FOLDER / name)
             print(f"docs/{name}: {(FOLDER / name).stat().st_size:,} bytes")
-        browser.close()
 
 
 if __name__ == "__main__":

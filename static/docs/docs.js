@@ -83,6 +83,17 @@ function makeReachable(drawing) {
   }
 }
 
+/**
+ * The names of routes and their groups as text: Swagger UI makes links of them that lead nowhere,
+ * inside of the buttons that open them.
+ * @param {{React: {createElement: (tag: string, props: null, text: string) => unknown}}} system
+ */
+function plainNames({ React }) {
+  /** @param {{text: string}} name */
+  const DeepLink = ({ text }) => React.createElement("span", null, text);
+  return { components: { DeepLink } };
+}
+
 /** @param {string} text */
 function say(text) {
   const line = document.querySelector("#swagger .starting");
@@ -119,6 +130,7 @@ async function start() {
       syntaxHighlight: false, // slow on long answers, and dark in the light theme
       tryItOutEnabled: true,
       requestInterceptor: withoutDefaults,
+      plugins: [plainNames],
     });
   } catch (error) {
     say(

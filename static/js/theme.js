@@ -18,6 +18,11 @@
     const choice = chosen();
     root.dataset.themeChoice = choice;
     root.dataset.theme = choice === "auto" ? (dark.matches ? "dark" : "light") : choice;
+    for (const meta of document.querySelectorAll("meta[data-of]")) {
+      const of = meta.getAttribute("data-of");
+      const chosenToo = choice === of ? "all" : "not all";
+      meta.setAttribute("media", choice === "auto" ? `(prefers-color-scheme: ${of})` : chosenToo);
+    }
   }
 
   apply();

@@ -54,8 +54,12 @@ async def exchange(
     }
     sent: list[Message] = []
 
+    requests: list[Message] = [{"type": "http.request", "body": b"", "more_body": False}]
+
     async def receive() -> Message:
-        return {"type": "http.request", "body": b"", "more_body": False}
+        if not requests:
+            await asyncio.Event().wait()  # a client that stays until it is answered
+        return requests.pop()
 
     async def take(message: Message) -> None:
         sent.append(dict(message))
