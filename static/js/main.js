@@ -253,6 +253,7 @@ async function start() {
 
   async function keep() {
     stopWaiting();
+    void import("./print.js").then(({ preparePrint }) => preparePrint());
     if (state.get().embed) return; // it is a guest there
     const offline = await import("./offline.js");
     await offline.keepPage();

@@ -29,7 +29,12 @@ function paired(texels) {
 
 /** @param {HTMLCanvasElement} canvas @returns {ReturnType<typeof createWith> | null} null without WebGL2 and float targets */
 export function createRenderer(canvas) {
-  const gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false });
+  const gl = canvas.getContext("webgl2", {
+    alpha: false,
+    antialias: false,
+    depth: false,
+    preserveDrawingBuffer: true, // what is drawn once can be printed later
+  });
   return gl?.getExtension("EXT_color_buffer_float") ? createWith(gl) : null;
 }
 
