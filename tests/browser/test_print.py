@@ -54,9 +54,9 @@ def test_figures_are_drawn_in_light_colors_and_as_before_afterwards(dark_page: P
     page = on_paper(dark_page, "?view=explore")
     assert before == "rgb(86, 180, 233)"
     expect(curve).to_have_css("stroke", "rgb(0, 114, 178)")
-    page.evaluate("() => window.dispatchEvent(new Event('afterprint'))")
-    page.emulate_media(media="screen", color_scheme="dark")
     page.set_viewport_size({"width": 1280, "height": 720})
+    page.emulate_media(media="screen", color_scheme="dark")
+    page.evaluate("() => window.dispatchEvent(new Event('afterprint'))")
     expect(curve).to_have_css("stroke", before)
     expect(page.locator(".printed")).to_have_count(0)
     expect(page.locator(".curves .plot-area")).to_have_js_property("clientWidth", width)
@@ -83,3 +83,5 @@ def test_a_sheet_comes_out(dark_page: Page) -> None:
     assert dark_page.pdf(format="A4").startswith(b"%PDF")
     expect(dark_page.locator(".printed")).to_have_count(0)
     expect(dark_page.locator("html")).to_have_attribute("data-theme", "dark")
+    curve = dark_page.locator(".plot-host path.js-line").first
+    expect(curve).to_have_css("stroke", "rgb(86, 180, 233)")
