@@ -1,7 +1,5 @@
 """Every view on paper: light, nothing to press, figures that fit the sheet, and its address."""
 
-from collections.abc import Iterator
-
 import pytest
 from playwright.sync_api import Page, expect
 
@@ -12,7 +10,7 @@ CONTROLS = ".top, .exports, .track, .play, .strip, .hint, .tries, [role=slider],
 
 
 @pytest.fixture
-def dark_page(page: Page) -> Iterator[Page]:
+def dark_page(page: Page) -> Page:
     page.emulate_media(color_scheme="dark")
     return page
 
