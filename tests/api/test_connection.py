@@ -124,7 +124,8 @@ def test_a_client_may_go_on_sending_what_nobody_reads(
 
 
 def test_one_too_many_may_send_its_request() -> None:
-    with served(settings=Settings(max_connections=3)) as tight, ExitStack() as held:
+    settings = Settings(max_connections=3, keep_alive_s=600)
+    with served(settings=settings) as tight, ExitStack() as held:
         for _ in range(3):
             kept = held.enter_context(socket.create_connection(tight, timeout=PATIENCE_S))
             kept.sendall(HEALTH + b"\r\n")

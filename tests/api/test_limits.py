@@ -11,12 +11,14 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack, suppress
 from typing import Any
+from unittest.mock import Mock
 
 import pytest
 
 from app.api.problems import MEDIA_TYPE
 from app.main import create_app
 from app.pool import Pool
+from app.protocol import BoundedProtocol
 from app.server import allow_open_files
 from app.settings import Settings
 from tests.api.raw import Answer, send
@@ -24,6 +26,7 @@ from tests.api.wire import Address, exchange, get, received, served
 
 API = b"/api/v1"
 HEALTH = API + b"/health"
+PATIENCE_S = 30.0
 TIGHT = Settings(
     max_target_bytes=200,
     max_header_bytes=1000,
@@ -202,7 +205,17 @@ class TestTime:
         with socket.create_connection(tight, timeout=10) as connection:
             assert connection.recv(1000) == b""
 
-    def test_an_answer_that_is_not_read_is_given_up(self, tight: Address) -> None:
+    def test_an_answer_that_is_not_read_is_given_up(
+        self, tight: Address, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        lost, connection_lost = threading.Event(), BoundedProtocol.connection_lost
+
+        def noted(protocol: BoundedProtocol, exc: Exception | None) -> None:
+            connection_lost(protocol, exc)
+            if protocol.client == connection.getsockname():
+                lost.set()
+
+        monkeypatch.setattr(BoundedProtocol, "connection_lost", noted)
         target = API + b"/curves?samples=20001&models=exact,schlick&phase=true&refraction=true"
         expected = len(get(tight, target).body)
         assert expected > 2_000_000
@@ -210,7 +223,7 @@ class TestTime:
             connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
             connection.connect(tight)
             connection.sendall(b"GET " + target + b" HTTP/1.1\r\nHost: test\r\n\r\n")
-            time.sleep(2.0)
+            assert lost.wait(PATIENCE_S)
             connection.settimeout(10)
             taken = 0
             with suppress(ConnectionResetError):
@@ -218,17 +231,23 @@ class TestTime:
                     taken += len(part)
         assert taken < expected
 
-    def test_a_slow_reader_gets_all_of_it(self, tight: Address) -> None:
-        target = API + b"/curves?samples=20001&models=exact,schlick&phase=true&refraction=true"
-        with socket.create_connection(tight, timeout=10) as connection:
-            connection.sendall(
-                b"GET " + target + b" HTTP/1.1\r\nHost: test\r\nConnection: close\r\n\r\n"
-            )
-            taken = 0
-            while part := connection.recv(100_000):
-                taken += len(part)
-                time.sleep(0.03)
-        assert taken > len(get(tight, target).body)
+    def test_a_slow_reader_is_waited_for_while_it_reads(self) -> None:
+        transport = Mock()
+        transport.get_write_buffer_size.return_value = 300
+        protocol = BoundedProtocol.__new__(BoundedProtocol)
+        protocol.loop, protocol.transport = Mock(), transport
+        protocol._settings, protocol._write_timer = TIGHT, None
+        protocol.flow = Mock()
+        protocol.pause_writing()
+        for size in (200, 100, 1):
+            patience, elapsed = protocol.loop.call_later.call_args.args
+            assert patience == TIGHT.write_timeout_s
+            transport.get_write_buffer_size.return_value = size
+            elapsed()
+        transport.abort.assert_not_called()
+        assert protocol.loop.call_later.call_count == 4
+        elapsed()
+        transport.abort.assert_called_once()
 
 
 def slow(address: Address) -> socket.socket:
@@ -241,12 +260,13 @@ def slow(address: Address) -> socket.socket:
 class TestManyConnections:
     def test_one_more_than_the_most_is_told_so(self) -> None:
         with (
-            served(settings=Settings(max_connections=5)) as address,
+            served(settings=Settings(max_connections=5, keep_alive_s=600)) as address,
             ExitStack() as held,
         ):
             for _ in range(5):
-                held.enter_context(slow(address))
-            time.sleep(0.2)
+                one = held.enter_context(socket.create_connection(address, timeout=PATIENCE_S))
+                one.sendall(b"GET " + HEALTH + b" HTTP/1.1\r\nHost: test\r\n\r\n")
+                assert one.recv(1, socket.MSG_PEEK)  # it is among the connections now
             answer = exchange(address, b"")
             refused(answer, 503, "FRESNEL_MAX_CONNECTIONS")
             assert int(answer.headers["retry-after"]) >= 1
