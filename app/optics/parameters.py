@@ -45,8 +45,6 @@ class Parameter:
     triple
         Whether R, G and B may differ: three numbers give three curves. The core broadcasts, so
         three values of shape (3, 1) and angles of shape (n,) give R of shape (3, n).
-    above
-        Whether the minimum itself is not allowed.
     """
 
     name: str
@@ -59,7 +57,6 @@ class Parameter:
     integer: bool = False
     choices: tuple[tuple[str, float], ...] = ()
     triple: bool = False
-    above: bool = False
 
     @property
     def allowed(self) -> str:
@@ -68,8 +65,6 @@ class Parameter:
             return "one of " + ", ".join(name for name, _ in self.choices)
         unit = f" {self.unit}" if self.unit else ""
         number = "whole" if self.integer else "finite"
-        if self.above:
-            return f"a {number} number above {self.minimum:g}, up to {self.maximum:g}{unit}"
         return f"a {number} number from {self.minimum:g} to {self.maximum:g}{unit}"
 
     def check(self, value: ArrayLike) -> Array:
@@ -95,13 +90,26 @@ class Parameter:
     def admits(self, array: Array) -> NDArray[np.bool_]:
         """Which elements are within the bounds, whole and among the choices as declared."""
         inside = (array >= self.minimum) & (array <= self.maximum)  # NaN compares false
-        if self.above:
-            inside &= array > self.minimum
         if self.integer:
             inside &= array == np.rint(array)
         if self.choices:
             inside &= np.isin(array, [number for _, number in self.choices])
         return np.asarray(inside)
+
+
+class AboveMinimum(Parameter):
+    """A number that the minimum itself is not allowed for."""
+
+    __slots__ = ()
+
+    @property
+    def allowed(self) -> str:
+        """The bounds in words."""
+        return f"a finite number above {self.minimum:g}, up to {self.maximum:g} {self.unit}"
+
+    def admits(self, array: Array) -> NDArray[np.bool_]:
+        """Which elements are within the bounds."""
+        return super().admits(array) & (array > self.minimum)
 
 
 N_I = Parameter(
@@ -131,7 +139,7 @@ THETA_I_DEG = Parameter(
 THETA_I = Parameter(
     "theta_i", r"\theta_i", 0.0, 0.0, np.pi / 2, "rad", "Angle of incidence from the normal."
 )
-WAVELENGTH_NM = Parameter(
-    "wavelength_nm", r"\lambda", None, 0.0, 1e7, "nm", "Wavelength in vacuum.", above=True
+WAVELENGTH_NM = AboveMinimum(
+    "wavelength_nm", r"\lambda", None, 0.0, 1e7, "nm", "Wavelength in vacuum."
 )
 MU = Parameter("mu", r"\mu", 1.0, 0.0, 1.0, "", "Cosine of the angle of incidence.")
