@@ -32,8 +32,9 @@ SCENE = ".differences:not([data-stale]) dd:not(:empty)"
 PICTURES: tuple[tuple[str, Literal["light", "dark"], str, str], ...] = (
     ("explore-light.png", "light", "/?n_t=1.5&theta_i_deg=64&models=schlick", CURVES),
     ("explore-dark.png", "dark", "/?n_t=1.5&theta_i_deg=64&models=schlick", CURVES),
-    ("compare.png", "light", "/?view=compare&models=schlick,one_minus_cos", CURVES),
+    ("compare.png", "light", "/?view=compare", CURVES),
     ("albedo.png", "light", "/?view=albedo", MAP),
+    ("materials.png", "light", "/?view=materials&material=Cu", MAP),
     ("theory-light.png", "light", "/?view=theory&step=below&own_deg=40", CURVES),
     ("theory-dark.png", "dark", "/?view=theory&step=below&own_deg=40", CURVES),
     ("preview.png", "light", "/?view=preview&split=0.46", SCENE),

@@ -518,7 +518,11 @@ async function start() {
     arrived = arrive(location.href);
   });
   onFollow((href) => {
-    arrived = arrive(href, { anew: true }).then(() => window.scrollTo(0, 0));
+    arrived = arrive(href, { anew: true }).then(() => {
+      window.scrollTo(0, 0);
+      // The link may be hidden now with its view; readers go on where they have come to.
+      if (!document.activeElement?.checkVisibility()) main.focus({ preventScroll: true });
+    });
   });
   constants.follow(state.get());
   ask();

@@ -401,3 +401,17 @@ def test_axe_finds_nothing(quiet_page: Page, section: str, theme: str, width: in
         for v in result["violations"]
     ]
     assert found == []
+
+
+def test_links_followed_by_keyboard_keep_the_focus_where_they_lead(quiet_page: Page) -> None:
+    page = quiet_page
+    page.goto("/?view=theory&step=coat")
+    page.get_by_role("link", name="Now beware of the traps").press("Enter")
+    expect(page.locator(".lessons.traps")).to_be_focused()
+    page.keyboard.press("Tab")
+    expect(page.locator(".traps .lesson-list a").first).to_be_focused()
+    page.get_by_role("link", name="The three curves in Compare").press("Enter")
+    expect(page.locator(".view-compare")).to_be_visible(timeout=READY_MS)
+    expect(page.locator("main")).to_be_focused()
+    page.keyboard.press("Tab")
+    expect(page.get_by_label("Incident medium")).to_be_focused()

@@ -84,6 +84,8 @@ export function createView(context) {
   const making = new Set();
   /** @type {Record<string, any>} */
   let latest = {};
+  /** Whether what had the focus, a link into another section, is hidden now. */
+  let homeless = false;
 
   /** @param {string} id */
   async function make(id) {
@@ -94,6 +96,7 @@ export function createView(context) {
         context,
       );
       made.set(id, section);
+      section.element.tabIndex = -1;
       place.append(section.element);
       section.theme?.(); // colors and faces are those of the place in the document
     } catch {
@@ -117,10 +120,20 @@ export function createView(context) {
         if (id === now.section) link.setAttribute("aria-current", "true");
         else link.removeAttribute("aria-current");
       }
-      for (const [id, section] of made) section.element.hidden = id !== now.section;
+      for (const [id, { element }] of made) {
+        const gone = id !== now.section;
+        homeless ||= gone && element.contains(document.activeElement);
+        element.hidden = gone;
+      }
       const section = made.get(now.section);
-      if (section) section.update?.(now, answers, moving);
-      else void make(now.section);
+      if (!section) {
+        void make(now.section);
+        return;
+      }
+      section.update?.(now, answers, moving);
+      if (homeless && !section.element.contains(document.activeElement))
+        section.element.focus({ preventScroll: true });
+      homeless = false;
     },
     /** @param {State} now */
     sentence: (now) => made.get(now.section)?.sentence?.(now) ?? "",
