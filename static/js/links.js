@@ -18,16 +18,9 @@ export function addressOf(view, state = {}) {
   return query ? `?${query}` : "./";
 }
 
-const FOLLOW = "followlink";
-
-/** Become what an address says, as soon as its view is there. @param {string} href */
+/** Become what an address says, as soon as its view is there: main.js listens. @param {string} href */
 export function follow(href) {
-  window.dispatchEvent(new CustomEvent(FOLLOW, { detail: href }));
-}
-
-/** @param {(href: string) => void} go */
-export function onFollow(go) {
-  window.addEventListener(FOLLOW, (event) => go(/** @type {CustomEvent<string>} */ (event).detail));
+  window.dispatchEvent(new CustomEvent("followlink", { detail: href }));
 }
 
 /**

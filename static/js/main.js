@@ -6,7 +6,6 @@ import { canBeIncident } from "./controls/media.js";
 import { WAVELENGTH } from "./controls/wavelength.js";
 import { byId, h } from "./dom.js";
 import { listenForKeys } from "./keys.js";
-import { onFollow } from "./links.js";
 import { createShell } from "./shell.js";
 import { choice, createState, number, optional, shortened } from "./state.js";
 import { startWorker } from "./transport.js";
@@ -517,8 +516,9 @@ async function start() {
   window.addEventListener("popstate", () => {
     arrived = arrive(location.href);
   });
-  onFollow((href) => {
-    arrived = arrive(href, { anew: true }).then(() => {
+  window.addEventListener("followlink", (event) => {
+    const { detail } = /** @type {CustomEvent<string>} */ (event);
+    arrived = arrive(detail, { anew: true }).then(() => {
       window.scrollTo(0, 0);
       // The link may be hidden now with its view; readers go on where they have come to.
       if (!document.activeElement?.checkVisibility()) main.focus({ preventScroll: true });
