@@ -203,11 +203,6 @@ async function start() {
   let store = null;
 
   const catalog = await firstCatalog(main);
-  void load("/health").then(
-    (health) => shell.showVersion(health.version),
-    () => {},
-  );
-
   const shared = sharedFields(catalog);
   const constants = createConstants({
     materials: catalog.materials,
@@ -254,6 +249,10 @@ async function start() {
     stopWaiting();
     void import("./print.js").then(({ preparePrint }) => preparePrint());
     if (state.get().embed) return; // it is a guest there
+    void load("/health").then(
+      (health) => shell.showVersion(health.version),
+      () => {},
+    );
     const offline = await import("./offline.js");
     await offline.keepPage();
     keeper = offline;

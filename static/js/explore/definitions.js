@@ -8,15 +8,20 @@ import { h } from "../dom.js";
  * @param {Model[]} models
  * @param {(latex: string, element: HTMLElement) => Promise<void>} typeset
  * @param {() => Promise<void>} [describe] completes the models
+ * @param {HTMLDetailsElement} [element] the fold that they stand in
  */
-export function createDefinitions(models, typeset, describe) {
-  const list = h("div", { class: "definition-list" });
-  const element = h(
+export function createDefinitions(
+  models,
+  typeset,
+  describe,
+  element = h(
     "details",
     { class: "definitions" },
     h("summary", {}, "Formulas and sources of these curves"),
-    list,
-  );
+  ),
+) {
+  const list = h("div", { class: "definition-list" });
+  element.append(list);
   /** @type {string[]} */
   let wanted = [];
   let shown = "";

@@ -4,7 +4,6 @@ import { nameable } from "../controls/media.js";
 import { createDiagram } from "../diagram.js";
 import { h } from "../dom.js";
 import { ANGLE_STEPS, createControls } from "../explore/controls.js";
-import { createDefinitions } from "../explore/definitions.js";
 import { createNumbers } from "../explore/numbers.js";
 import { allLandmarksOf, readingAt } from "../explore/reading.js";
 import { createSplit } from "../explore/split.js";
@@ -55,7 +54,22 @@ export function createView({
   const numbers = createNumbers(say);
   const split = createSplit();
   const whitePlace = h("div", { hidden: true });
-  const definitions = createDefinitions(catalog.models, typeset, describe);
+  const fold = h(
+    "details",
+    { class: "definitions" },
+    h("summary", {}, "Formulas and sources of these curves"),
+  );
+  /** Fetched when the fold is opened. @type {{update: (ids: string[]) => void} | null} */
+  let definitions = null;
+  fold.addEventListener(
+    "toggle",
+    async () => {
+      const { createDefinitions } = await import("../explore/definitions.js");
+      definitions = createDefinitions(catalog.models, typeset, describe, fold);
+      if (now) definitions.update(now.models);
+    },
+    { once: true },
+  );
   const diagramFrame = h("div", { class: "frame" });
   const diagramHost = h("div", { class: "diagram-host" }, diagramFrame);
   const plotFrame = h("div", { class: "frame" });
@@ -94,7 +108,7 @@ export function createView({
       plotHost,
       h("div", { class: "heading" }, h("h2", {}, "Numbers"), numbers.copyAll),
       numbers.grid,
-      definitions.element,
+      fold,
       tables.element,
     ),
     h(
@@ -208,7 +222,7 @@ export function createView({
       now = next;
       answers = nextAnswers;
       controls.update(next, stops(), reasonsOf(answers.curves));
-      definitions.update(next.models);
+      definitions?.update(next.models);
       if (!answers.curves) return;
       const reading = readingAt(answers.curves, answers.snell, next.theta_i_deg);
       const { polarization, angle: unit } = next;
