@@ -275,7 +275,10 @@ export function createPlot(element, options) {
     cancelAnimationFrame(waiting);
     waiting = requestAnimationFrame(() => {
       const { width, height } = arrangement?.size ?? { width: 0, height: 0 };
-      if (area.clientWidth !== width || area.clientHeight !== height) void settle();
+      if (area.clientWidth === width && area.clientHeight === height) return;
+      theme = readTheme(element); // letters grow with the window, too
+      overlay.useFaces(theme);
+      void settle();
     });
   };
   const observer = new ResizeObserver(resize);

@@ -354,7 +354,10 @@ export function createHeatmap(element, options) {
   let waiting = 0;
   const observer = new ResizeObserver(() => {
     cancelAnimationFrame(waiting);
-    waiting = requestAnimationFrame(() => void settle());
+    waiting = requestAnimationFrame(() => {
+      theme = readTheme(element); // letters grow with the window, too
+      void settle();
+    });
   });
   observer.observe(area);
 
