@@ -82,6 +82,8 @@ def _of_document(scope: Scope) -> dict[str, str]:
     return EMBEDDED_SECURITY_HEADERS if embedded else DOCUMENT_SECURITY_HEADERS
 
 
+_UNDERSTOOD = {".css", ".js"}
+
 # What compression gains nothing on is left to the file system.
 _TEXT = {".css", ".html", ".js", ".json", ".svg", ".txt", ".webmanifest"}
 
@@ -132,7 +134,8 @@ class Page(StaticFiles):
 def _ready(path: Path, _mtime_ns: int, vendored: bool) -> ReadyBody:
     """A text file to be sent, our own without comments; read again when it has changed."""
     media_type = guess_type(path.name)[0] or "text/plain"
-    if media_type.startswith("text/"):
+    # Scripts and styles are read as UTF-8 in our documents without being told so in each answer.
+    if media_type.startswith("text/") and path.suffix not in _UNDERSTOOD:
         media_type += "; charset=utf-8"
     text = path.read_bytes()
     if not vendored:

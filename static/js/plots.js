@@ -53,7 +53,6 @@ import { readTheme } from "./plot/theme.js";
  */
 
 const SMALLEST = 40;
-const EXPORT_WIDTH = { least: 800, most: 1600 };
 
 /**
  * @param {HTMLElement} parent
@@ -350,37 +349,11 @@ export function createPlot(element, options) {
           type: "text/csv;charset=utf-8",
         });
       }
-      const { exportFigure, imageOf, PRINT_PADDING } = await import("./plot/export.js");
-      const { width, height } = arrangement?.size ?? { width: 960, height: 600 };
-      const wide = Math.min(Math.max(width, EXPORT_WIDTH.least), EXPORT_WIDTH.most);
-      const size = { width: Math.round(wide), height: Math.round((wide * height) / width) + 40 };
-      const shown =
-        marker.x === null
-          ? marks
-          : [
-              ...marks.filter((mark) => mark.kind !== "current"),
-              { x: marker.x, label: "", kind: /** @type {const} */ ("current") },
-            ];
-      const picture = { traces, marks: valued(shown, axes.x), bands, most, axes };
-      if (!publication)
-        return imageOf(exportFigure({ ...picture, title: name, theme, size }), format);
-      const { drawingSize, onGround } = await import("./plot/publication.js");
-      const { mmPerPx, ...drawing } = drawingSize(publication);
-      const { ground, caption } = publication;
-      return onGround(element, ground, (inks) =>
-        imageOf(
-          exportFigure({
-            ...picture,
-            title: "",
-            caption,
-            theme: inks,
-            size: drawing,
-            padding: PRINT_PADDING,
-          }),
-          format,
-          mmPerPx,
-        ),
-      );
+      const { exportPlot } = await import("./plot/export.js");
+      const shown = valued(marks, axes.x);
+      const size = arrangement?.size;
+      const picture = { traces, marks: shown, bands, most, axes, size, theme, at: marker.x };
+      return exportPlot(element, { ...picture, title: name }, format, publication);
     },
     filename: (format) => `${options.filename ?? "plot"}.${format}`,
     table: () => {

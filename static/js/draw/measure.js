@@ -11,7 +11,7 @@ let context = null;
  * @param {string} font a CSS font shorthand
  * @returns {(character: string) => number}
  */
-function advances(font) {
+export function advances(font) {
   /** @type {Map<string, number>} */
   const known = new Map();
   return (character) => {
@@ -43,14 +43,4 @@ export function createMeasure({ family, symbolFamily, size, weight = 400, symbol
     }
     return width;
   };
-}
-
-/**
- * The same for text that is written as it stands, underscores and all.
- * @param {string} font a CSS font shorthand
- * @returns {Measure}
- */
-export function createPlainMeasure(font) {
-  const advance = advances(font);
-  return (text) => [...text].reduce((width, character) => width + advance(character), 0);
 }

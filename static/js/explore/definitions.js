@@ -30,30 +30,12 @@ export function createDefinitions(
     if (!element.open || shown === wanted.join()) return;
     shown = wanted.join();
     await describe?.();
-    const entries = models
-      .filter((m) => wanted.includes(m.id))
-      .map((model) => {
-        const formula = h("div", {
-          class: "formula",
-          tabindex: "0",
-          role: "group",
-          "aria-label": `Formula of ${model.title}`,
-        });
-        return {
-          model,
-          formula,
-          block: h(
-            "section",
-            {},
-            h("h3", {}, model.title),
-            formula,
-            h("p", {}, model.validity),
-            h("p", { class: "source" }, model.reference),
-          ),
-        };
-      });
-    list.replaceChildren(...entries.map((e) => e.block));
-    for (const { model, formula } of entries) await typeset(model.latex, formula);
+    const { fillDefinitions } = await import("./definition-list.js");
+    await fillDefinitions(
+      list,
+      models.filter((m) => wanted.includes(m.id)),
+      typeset,
+    );
   }
 
   element.addEventListener("toggle", fill);

@@ -1,6 +1,6 @@
 /** A plot as a file that stands alone: title, names, marks and background included. */
 
-import { createMeasure, createPlainMeasure } from "../draw/measure.js";
+import { advances, createMeasure } from "../draw/measure.js";
 import { plainText, plotlyText } from "../draw/symbols.js";
 import { bandShapes, CONFIG, plotlyLayout, plotlyTraces } from "./figure.js";
 import { fontFaces, rasterized, withStyle } from "./image.js";
@@ -9,7 +9,7 @@ import { placeLabels } from "./labels.js";
 import { arrange } from "./layout.js";
 import { placeMarkNames } from "./marks.js";
 import { MOST_LABELS } from "./overlay.js";
-import { onPaper, withDensity, wrapped } from "./publication.js";
+import { drawingSize, onGround, onPaper, withDensity, wrapped } from "./publication.js";
 
 /** @typedef {import("./model.js").Trace} Trace */
 /** @typedef {import("./model.js").Mark} Mark */
@@ -18,6 +18,7 @@ const HEADER = 32;
 const LABEL_SIZE = 17;
 const SCALE = 2;
 const PADDING = 12;
+const WIDTH = { least: 800, most: 1600 };
 const CAPTION_LINE = 15;
 const CAPTION_GAP = 6;
 /** A figure in a document has its room around it there. */
@@ -196,6 +197,32 @@ export function exportFigure({
 }
 
 /**
+ * A plot as it stands on the page, or fitted to a publication.
+ * @param {HTMLElement} element of the plot
+ * @param {Omit<Parameters<typeof exportFigure>[0], "size"> & {size?: import("./model.js").Size, at: number | null}} picture
+ *   `at` is where the marker stands
+ * @param {"png" | "svg"} format
+ * @param {import("./publication.js").Publication} [publication]
+ */
+export function exportPlot(element, { at, size: shown, ...picture }, format, publication) {
+  const still = picture.marks.filter((mark) => mark.kind !== "current");
+  const current = { x: at ?? 0, label: "", kind: /** @type {const} */ ("current") };
+  const marks = at === null ? picture.marks : [...still, current];
+  if (publication) {
+    const { mmPerPx, ...size } = drawingSize(publication);
+    const { ground, caption } = publication;
+    const bare = { ...picture, marks, title: "", caption, size, padding: PRINT_PADDING };
+    return onGround(element, ground, (theme) =>
+      imageOf(exportFigure({ ...bare, theme }), format, mmPerPx),
+    );
+  }
+  const { width, height } = shown ?? { width: 960, height: 600 };
+  const wide = Math.min(Math.max(width, WIDTH.least), WIDTH.most);
+  const size = { width: Math.round(wide), height: Math.round((wide * height) / width) + 40 };
+  return imageOf(exportFigure({ ...picture, marks, size }), format);
+}
+
+/**
  * Paragraphs as lines below a picture, and the room they take.
  * @param {readonly string[]} paragraphs
  * @param {Pick<import("./layout.js").Arrangement, "size" | "margins" | "padding">} arrangement
@@ -204,7 +231,9 @@ export function exportFigure({
  */
 export function captioned(paragraphs, { size, margins, padding }, above, { family, ink }) {
   const font = { size: 11, color: ink };
-  const measure = createPlainMeasure(`${font.size}px ${family}`);
+  const advance = advances(`${font.size}px ${family}`); // as it stands, underscores and all
+  const measure = (/** @type {string} */ text) =>
+    [...text].reduce((width, character) => width + advance(character), 0);
   const lines = wrapped(paragraphs, measure, size.width - 2 * padding);
   const height = lines.length ? lines.length * CAPTION_LINE + CAPTION_GAP : 0;
   const below = margins.bottom + above;
