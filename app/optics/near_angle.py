@@ -15,7 +15,7 @@ import numpy as np
 from app.optics.double_double import Double2
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.optics.parameters import Array, Number
+from app.optics.parameters import Array
 
 # Beyond this distance the plain difference has its digits: its relative error there is about
 # 1e-16 / (distance in radians), 3e-14.
@@ -39,7 +39,7 @@ def careful_near(
     angle_deg
         The angle in degrees from n_i and n_t, to about 30 digits.
     roughly_deg
-        The same from arrays of eta in plain arithmetic, NaN where there is none.
+        The same from eta in plain arithmetic, NaN where there is none.
     plain
         The values, of the shape that interface and incidence broadcast to.
     interface, incidence
@@ -56,14 +56,12 @@ def careful_near(
     degrees = incidence.exact_degrees
     if degrees is None:
         return plain
-    n_i, n_t = interface.n_i, interface.n_t
-    one = interface.shape == ()
-    angle: Number = angle_deg(n_i, n_t).high if one else roughly_deg(interface.eta)
-    near = np.abs(angle - degrees) < _NEAR_DEG
+    near = np.abs(roughly_deg(interface.eta) - degrees) < _NEAR_DEG
     if not near.any():
         return plain
     theta = np.broadcast_to(degrees, plain.shape)[near]
-    if not one:
+    n_i, n_t = interface.n_i, interface.n_t
+    if interface.shape:
         n_i, n_t = (np.broadcast_to(array, plain.shape)[near] for array in (n_i, n_t))
     result = plain.copy()
     result[near] = careful(n_i, n_t, theta, angle_deg(n_i, n_t))
