@@ -153,6 +153,7 @@ def test_number_boxes_take_expressions(
         ("n_t", "glass"),
         ("n_t", "0"),
         ("n_t", "101"),
+        ("n_t", "100.0001"),
         ("n_t", "1,5"),
         ("k_t", "-1"),
         ("n_i", "1/0"),

@@ -6,6 +6,7 @@ import { ExpressionError, evaluate } from "../expression.js";
 import { plain } from "../format.js";
 import { clamp, snap, stepped } from "../snap.js";
 
+const ROUNDING = 1e-12;
 const SPEEDS = [0.25, 0.5, 1, 2, 4];
 const SNAP = 0.015; // of the slider's span
 
@@ -171,9 +172,13 @@ export function createRow({
     try {
       const asked = write.parse(box.value);
       const typed = clamp(asked, parameter.minimum, parameter.maximum);
-      // A bound may be typed as it is shown, such as 1.5708 rad.
-      if (typed !== asked && write.print(typed) !== write.print(asked)) {
-        complain(`${parameter.name} = ${write.print(asked)} is outside ${write.allowed()}`);
+      // A bound may be typed as it is shown, such as 1.5708 rad, or miss it by its rounding: pi/2.
+      const text = box.value.trim();
+      const bound = write.print(typed);
+      if (typed !== asked && text !== bound && Math.abs(asked - typed) > ROUNDING * typed) {
+        const printed = write.print(asked);
+        const said = printed === bound ? text : printed;
+        complain(`${parameter.name} = ${said} is outside ${write.allowed()}`);
         return;
       }
       complain("");
