@@ -10,7 +10,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from operator import attrgetter, itemgetter
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, TypeVar
 
 import msgspec
 import numpy as np
@@ -24,6 +24,8 @@ from app.optics.registry import Registry
 
 _AT_A_TIME = 20_000
 """Items that exist as Python objects at a time."""
+
+T = TypeVar("T", bound=np.generic)
 
 _DECODERS = 64
 """Decoders that are kept, each of items with columns of their own."""
@@ -201,12 +203,19 @@ class Items:
         counts = self.counts[start:stop]
         first = np.cumsum(counts) - counts
         hints = Hints()
+        listed = self.listed[start:stop]
+
+        def spread(column: NDArray[T]) -> NDArray[T]:
+            """One element a value; without lists that is the column itself, and needs no memory."""
+            part = column[start:stop]
+            return np.repeat(part, counts) if listed.any() else part
+
         rows = Rows(
             int(counts.sum()),
-            {name: np.repeat(column[start:stop], counts) for name, column in self.numbers.items()}
+            {name: spread(column) for name, column in self.numbers.items()}
             | {THETA_I_DEG.name: self.theta_i_deg[before : before + int(counts.sum())]},
             {
-                name: Names(np.repeat(codes[start:stop], counts), distinct)
+                name: Names(spread(codes), distinct)
                 for name, (codes, distinct) in self.names.items()
             },
             {
@@ -218,7 +227,7 @@ class Items:
                 ]
             },
         )
-        return Piece(start, rows, counts, self.listed[start:stop])
+        return Piece(start, rows, counts, listed)
 
 
 class _Gathered:
