@@ -118,7 +118,7 @@ class InterfaceQuery(QueryModel):
     k_t: Number = number(K_T, examples=[0.0])
     material: str | None = preset_name(
         "Id or alias of a preset in place of n_t and k_t, as listed at /materials; a k that its "
-        "source does not give, or below 1e-6, counts as 0, which the answer says.",
+        "source does not give, or below 1e-6, counts as 0.",
         "Au",
     )
     incident: str | None = preset_name(

@@ -9,18 +9,17 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.batch.rows import Fault, Hints, Names, Rows, parted
+from app.batch.rows import Fault, Hints, Index, Names, Rows, parted
 from app.materials import (
     NEGLIGIBLE_K,
     USELESS_WAVELENGTH,
-    Constants,
     Preset,
     UnknownMaterial,
     constants_at,
     default_catalog,
     given_beside,
-    warnings_as_incident,
-    warnings_as_material,
+    transparent,
+    within,
 )
 from app.optics.errors import OpticsError
 from app.optics.parameters import K_T, N_I, N_T, WAVELENGTH_NM, Array
@@ -33,20 +32,17 @@ class _Side(NamedTuple):
     ----------
     numbers
         What a preset stands for.
-    judge
-        Refuses what may not stand there.
     is_transparent
         Whether only what does not absorb may.
     """
 
     numbers: tuple[str, ...]
-    judge: Callable[[Preset, Constants], object]
     is_transparent: bool
 
 
 _SIDES = {
-    "material": _Side((N_T.name, K_T.name), warnings_as_material, is_transparent=False),
-    "incident": _Side((N_I.name,), warnings_as_incident, is_transparent=True),
+    "material": _Side((N_T.name, K_T.name), is_transparent=False),
+    "incident": _Side((N_I.name,), is_transparent=True),
 }
 
 
@@ -134,9 +130,7 @@ class _Task:
             for column, values in zip(columns, (n, counts), strict=False):
                 column[which] = values
             if wrong.any():
-                told = self._faults(side, name, preset, at[wrong], n[wrong], k[wrong])
-                for row, fault in zip(which[wrong].tolist(), told, strict=True):
-                    self._refuse(row, fault)
+                self._refuse_preset(side, name, preset, which[wrong], n[wrong], k[wrong])
 
     def _column(self, name: str) -> Array:
         """A column of its own, to be written to."""
@@ -145,37 +139,58 @@ class _Task:
         self.numbers[name] = column
         return column
 
-    def _faults(
-        self, side: str, name: str, preset: Preset, at: Array, n: Array, k: Array
-    ) -> Iterator[Fault]:
-        """Say what is wrong with rows, in the words that `/snell` has for a single one."""
-        told: dict[object, tuple[str, str]] = {}
-        for row in zip(at.tolist(), n.tolist(), k.tolist(), strict=True):
-            wavelength_nm, *known = (None if math.isnan(number) else number for number in row)
-            alike = _alike(preset, wavelength_nm) if known[0] is None else row
-            if alike not in told:
-                told[alike] = _why(side, preset, wavelength_nm, *known)
-            parameter, message = told[alike]
-            value = wavelength_nm if parameter == WAVELENGTH_NM.name else name
-            yield Fault(parameter, value, message)
+    def _refuse_preset(
+        self, side: str, name: str, preset: Preset, which: Index, n: Array, k: Array
+    ) -> None:
+        """Say what is wrong with rows, in the words that `/snell` has for a single one.
+
+        There may be many, each at a wavelength of its own, so what takes long to find out is found
+        out once for all that share it.
+        """
+        wavelength_nm = self._wavelength_nm[which]
+
+        def refuse(
+            where: NDArray[np.bool_],
+            parameter: str,
+            message: str | Callable[[float], str],
+            about: Array,
+        ) -> None:
+            those = where & self._right[which]
+            rows = zip(*(x[those].tolist() for x in (which, wavelength_nm, about)), strict=True)
+            for row, at, number in rows:
+                value = name if parameter != WAVELENGTH_NM.name else None if math.isnan(at) else at
+                told = message if isinstance(message, str) else message(number)
+                self._refuse(row, Fault(parameter, value, told))
+
+        for alike in _known_alike(preset, wavelength_nm):
+            unknown = alike & np.isnan(n)
+            if unknown.any():
+                parameter, why = _why_unknown(preset, float(wavelength_nm[unknown][0]))
+                refuse(unknown, parameter, why, n)
+        for quantity, values, bounds in (("n", n, N_T), ("k", k, K_T)):
+            beyond = (values < bounds.minimum) | (values > bounds.maximum)
+            refuse(beyond, WAVELENGTH_NM.name, within(bounds, quantity, preset), values)
+        if _SIDES[side].is_transparent:
+            refuse(k >= NEGLIGIBLE_K, side, transparent, k)
 
 
 def _nearest(name: str) -> str:
     return UnknownMaterial(name, default_catalog().nearest(name)).allowed
 
 
-def _alike(preset: Preset, wavelength_nm: float | None) -> object:
-    """The same of all wavelengths at which a preset is not known for the same reason."""
-    if wavelength_nm is not None and preset.kind == "spectrum":
+def _known_alike(preset: Preset, wavelength_nm: Array) -> Iterator[NDArray[np.bool_]]:
+    """Part wavelengths at which a preset is not known by the reason why."""
+    if preset.kind == "spectrum":
         low, high = default_catalog().spectrum(preset.id).n_range_nm
-        return low <= wavelength_nm <= high
-    return None
+        only_k = (wavelength_nm >= low) & (wavelength_nm <= high)
+        yield only_k
+        yield ~only_k
+    else:
+        yield np.ones(wavelength_nm.shape, np.bool_)
 
 
-def _why(
-    side: str, preset: Preset, wavelength_nm: float | None, n: float | None, k: float | None
-) -> tuple[str, str]:
-    """Say why a preset is refused: it is not known there, or may not stand where it does.
+def _why_unknown(preset: Preset, wavelength_nm: float) -> tuple[str, str]:
+    """Say why a preset is not known at a wavelength.
 
     Returns
     -------
@@ -183,11 +198,7 @@ def _why(
         The parameter that is wrong, and what would be right.
     """
     try:
-        if n is None:
-            default_catalog().constants(preset.id, wavelength_nm)
-        else:
-            at = preset.wavelength_nm if wavelength_nm is None else wavelength_nm
-            _SIDES[side].judge(preset, Constants(n, k, at))
+        default_catalog().constants(preset.id, None if math.isnan(wavelength_nm) else wavelength_nm)
     except OpticsError as error:
         return error.parameter, error.allowed
-    raise RuntimeError(f"{preset.id} at {wavelength_nm} nm is refused for no reason")
+    raise RuntimeError(f"{preset.id} is known at {wavelength_nm} nm")

@@ -21,8 +21,8 @@ from app.materials.media import (
     resolve_incident,
     resolve_material,
     transparency_warnings,
-    warnings_as_incident,
-    warnings_as_material,
+    transparent,
+    within,
 )
 from app.materials.schema import Category, Preset
 from app.materials.spectrum import Spectrum, Visible
@@ -55,6 +55,6 @@ __all__ = [
     "resolve_material",
     "rgb_constants",
     "transparency_warnings",
-    "warnings_as_incident",
-    "warnings_as_material",
+    "transparent",
+    "within",
 ]

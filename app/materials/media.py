@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 
@@ -10,14 +11,14 @@ import numpy as np
 from app.materials.catalog import Catalog, Constants, load_catalog
 from app.materials.schema import Preset
 from app.optics.errors import NotAllowed, OutOfRange
-from app.optics.parameters import K_T, N_T, Array
+from app.optics.parameters import K_T, N_T, Array, Parameter
 
 NEGLIGIBLE_K = 1e-6
 """k below which a preset counts as transparent: light of 500 nm goes 40 mm before it falls to 1/e.
 
-One rule for both sides of a boundary and for the page (static/js/constants.js): the answer still
-tells the measured k, and a warning says that it counts as 0. Glass measured as 1e-8 would otherwise
-be a conductor without Brewster's angle. Numbers given as `k_t` are taken as they are.
+One rule for both sides of a boundary and for the page (static/js/constants.js): an answer about one
+boundary tells the measured k, and a warning says that it counts as 0. Glass measured as 1e-8 would
+otherwise be a conductor without Brewster's angle. Numbers given as `k_t` are taken as they are.
 """
 
 
@@ -33,6 +34,20 @@ USELESS_WAVELENGTH = "given although no material or incident depends on it"
 def given_beside(column: str, preset: str) -> str:
     """What is wrong with a number that is given beside the preset which takes its place."""
     return f"given beside {column} = {preset}, which takes its place; leave one out"
+
+
+def transparent(k: float) -> str:
+    """What is allowed in front instead of a medium with this k."""
+    return (
+        f"a transparent medium: n_i is real, and this one has k = {k:.4g}; "
+        "give it as material, or its n alone as n_i"
+    )
+
+
+def within(bounds: Parameter, quantity: str, preset: Preset) -> Callable[[float], str]:
+    """What is allowed instead of a wavelength at which n or k of a preset is out of bounds."""
+    wanted = f"one where {quantity} of {preset.id} is {bounds.allowed}; here it is "
+    return lambda value: f"{wanted}{value:.5g}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +78,7 @@ def resolve_material(name: str, wavelength_nm: float | None) -> Resolved:
         If the preset is not known at the wavelength, or is known to be beyond n_t's or k_t's bounds.
     """
     preset, constants = _constants(name, wavelength_nm)
-    return Resolved(preset, constants, tuple(warnings_as_material(preset, constants)))
+    return Resolved(preset, constants, tuple(_warnings_as_material(preset, constants)))
 
 
 def resolve_incident(name: str, wavelength_nm: float | None) -> Resolved:
@@ -77,10 +92,10 @@ def resolve_incident(name: str, wavelength_nm: float | None) -> Resolved:
         If the preset is not known at the wavelength, is beyond n_i's bounds or absorbs there.
     """
     preset, constants = _constants(name, wavelength_nm)
-    return Resolved(preset, constants, tuple(warnings_as_incident(preset, constants)))
+    return Resolved(preset, constants, tuple(_warnings_as_incident(preset, constants)))
 
 
-def warnings_as_material(preset: Preset, constants: Constants) -> list[str]:
+def _warnings_as_material(preset: Preset, constants: Constants) -> list[str]:
     """Say what counts otherwise than it was measured in the second medium.
 
     Raises
@@ -100,7 +115,7 @@ def warnings_as_material(preset: Preset, constants: Constants) -> list[str]:
     return warnings
 
 
-def warnings_as_incident(preset: Preset, constants: Constants) -> list[str]:
+def _warnings_as_incident(preset: Preset, constants: Constants) -> list[str]:
     """Say what counts otherwise than it was measured in the medium in front.
 
     Raises
@@ -123,12 +138,7 @@ def transparency_warnings(preset: Preset, k: float | None) -> list[str]:
     if k is None:
         return ["k is not known and counts as 0"]
     if k >= NEGLIGIBLE_K:
-        raise NotAllowed(
-            "incident",
-            repr(preset.id),
-            f"a transparent medium: n_i is real, and this one has k = {k:.4g}; "
-            "give it as material, or its n alone as n_i",
-        )
+        raise NotAllowed("incident", repr(preset.id), transparent(k))
     return [f"k = {k:.3g} is left out: n_i is real"] if k > 0.0 else []
 
 
@@ -144,11 +154,8 @@ def _constants(name: str, wavelength_nm: float | None) -> tuple[Preset, Constant
 def _within_bounds(preset: Preset, constants: Constants) -> None:
     for quantity, value, bounds in (("n", constants.n, N_T), ("k", constants.k, K_T)):
         if value is not None and not bounds.minimum <= value <= bounds.maximum:
-            raise OutOfRange(
-                "wavelength_nm",
-                constants.wavelength_nm,
-                f"one where {quantity} of {preset.id} is {bounds.allowed}; here it is {value:.5g}",
-            )
+            allowed = within(bounds, quantity, preset)
+            raise OutOfRange("wavelength_nm", constants.wavelength_nm, allowed(value))
 
 
 def _of_the_middle(preset: Preset) -> list[str]:

@@ -159,6 +159,31 @@ def test_rows_are_refused_as_one_is(side: str, id: str) -> None:  # noqa: A002
             assert outcome.faults[row].message == error.allowed
 
 
+@pytest.mark.parametrize(
+    ("side", "id", "nm"),
+    [("incident", "Au", 400), ("material", "Au", 1e6), ("material", "Si", 150)],
+)
+def test_what_is_refused_is_looked_into_once_a_cause(
+    monkeypatch: pytest.MonkeyPatch,
+    side: str,
+    id: str,  # noqa: A002
+    nm: float,
+) -> None:
+    """An error raised a row takes so long that a full body runs into the time limit."""
+    raised, init = [], OpticsError.__init__
+
+    def counted(error: OpticsError, *args: Any) -> None:
+        raised.append(error)
+        init(error, *args)
+
+    monkeypatch.setattr(OpticsError, "__init__", counted)
+    at = np.linspace(nm, 1.1 * nm, 1000)
+    names = {side: Names(np.zeros(at.size, np.intp), [id])}
+    outcome = evaluate(Rows(at.size, {"wavelength_nm": at}, names), default_registry())
+    assert len(outcome.faults) == at.size
+    assert len(raised) <= 1
+
+
 def refusal(resolve: Callable[..., Any], name: str, at: float | None) -> OpticsError | None:
     try:
         resolve(name, at)

@@ -19,8 +19,9 @@ A body of `application/json` holds items; `application/vnd.apache.arrow.stream` 
 names, one row a value, null for what is left out. The answer is JSON, CSV or an Arrow stream by
 `Accept`, and of the body's kind where that leaves the choice. JSON holds a number for each item, a
 list where its angle was one, and null where a model is undefined; CSV and Arrow hold a row a value.
-Presets are evaluated as everywhere else, and a parameter of a model is one number: for R, G and B
-ask three times.
+Presets are evaluated as everywhere else, but without warnings: `/snell` tells of one what it was
+measured as, and what of it counts as 0. A parameter of a model is one number: for R, G and B ask three
+times.
 Arrow is there where the server has the extra `[arrow]`; 415 or 406 tell where not.
 """
 
