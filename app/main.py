@@ -33,7 +33,7 @@ from app.api.table import RouteTable
 from app.cache import AnswerCache
 from app.drain import Drain
 from app.front import Front
-from app.memory import return_large_blocks
+from app.memory import share_one_heap
 from app.observe.access_log import AccessLog
 from app.observe.metrics import Metrics
 from app.observe.middleware import Observed
@@ -84,7 +84,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     registry
         The models to serve; every one in `app.optics.models` if not given.
     """
-    return_large_blocks()
+    share_one_heap()
     settings = settings or Settings()
     registry = registry or default_registry()
     app = _Application(

@@ -1,34 +1,43 @@
-"""Memory that large calls needed is given back."""
+"""Where the server's memory comes from."""
 
 from __future__ import annotations
 
 import platform
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
-HELD_MB = """
-import sys
-from pathlib import Path
+THREADS = """
+import ctypes, sys, threading
 import numpy as np
-from app.memory import return_large_blocks
+from app.memory import share_one_heap
 
-if sys.argv[1] == "return":
-    return_large_blocks()
-np.ones(2_000_000)  # freed at once, as the first large call would
-blocks = [(np.ones(1_000_000), np.ones(10_000)) for _ in range(10)]
-kept = [small for _, small in blocks]
-del blocks
-print(next(s for s in Path("/proc/self/status").read_text().splitlines() if "VmRSS" in s).split()[1])
+if sys.argv[1] == "shared":
+    share_one_heap()
+meet = threading.Barrier(4)
+def allocate():
+    kept = [np.ones(1000) for _ in range(10)]
+    meet.wait()
+threads = [threading.Thread(target=allocate) for _ in range(4)]
+for thread in threads:
+    thread.start()
+for thread in threads:
+    thread.join()
+library = ctypes.CDLL(None)
+library.fopen.restype = ctypes.c_void_p
+file = ctypes.c_void_p(library.fopen(sys.argv[2].encode(), b"w"))
+library.malloc_info(0, file)
+library.fclose(file)
 """
 
 
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="another C library")
-def test_large_blocks_are_given_back_though_small_ones_lie_between() -> None:
-    held = {}
-    for how in ("keep", "return"):
-        command = [sys.executable, "-c", HELD_MB, how]
-        ended = subprocess.run(command, capture_output=True, text=True, check=True)
-        held[how] = int(ended.stdout) / 1000.0
-    assert held["return"] < held["keep"] - 8.0  # of the first block's 16 MB
+def test_threads_share_one_heap(tmp_path: Path) -> None:
+    heaps = {}
+    for how in ("own", "shared"):
+        told = tmp_path / how
+        subprocess.run([sys.executable, "-c", THREADS, how, str(told)], check=True)
+        heaps[how] = told.read_text("utf-8").count("<heap nr=")
+    assert heaps["shared"] == 1 < heaps["own"]
