@@ -24,22 +24,32 @@ CONVENTION = (
 # 10^22 is the largest power of ten that is a double.
 _LARGEST_EXACT_POWER = 22
 
+# Beyond so many, the error of a product or of a logarithm is no longer small beside the last digit.
+_MOST_DIGITS_SCALED = 13
+
 
 def round_significant(values: Array, digits: int) -> Array:
-    """Round to `digits` significant digits, to the very double that those digits spell."""
+    """Round to `digits` significant digits, to the very double that those digits spell.
+
+    As Python's formatting does: to the nearest, by all that a double holds, and between two that are
+    as near to the even one.
+    """
     if digits >= 17:
         return values
     magnitude = np.abs(values)
     ordinary = np.isfinite(values) & (magnitude > 0.0)
     power = digits - 1 - np.floor(np.log10(magnitude, where=ordinary, out=np.zeros_like(values)))
-    scalable = ordinary & (np.abs(power) <= _LARGEST_EXACT_POWER)
+    scalable = ordinary & (np.abs(power) <= _LARGEST_EXACT_POWER) & (digits <= _MOST_DIGITS_SCALED)
     scale = 10.0 ** np.where(scalable, np.abs(power), 0.0)
     up = power >= 0.0
-    rounded = np.where(up, np.round(values * scale) / scale, np.round(values / scale) * scale)
-    result = np.where(scalable, rounded, values)
-    for index in zip(*np.nonzero(ordinary & ~scalable), strict=True):  # tinier than 1e-6 or so
-        result[index] = float(f"{values[index]:.{digits}g}")
-    return np.asarray(result)
+    scaled = np.where(up, values * scale, values / scale)
+    whole = np.round(scaled)
+    # Where the product's own error could turn it the other way, it is not trusted.
+    scalable &= 0.5 - np.abs(scaled - whole) > np.finfo(np.float64).eps * np.abs(scaled)
+    result = np.asarray(np.where(scalable, np.where(up, whole / scale, whole * scale), values))
+    spelled = ordinary & ~scalable
+    result[spelled] = [float(f"{value:.{digits}g}") for value in values[spelled].tolist()]
+    return result
 
 
 def rounded(payload: Any, digits: int) -> Any:

@@ -264,6 +264,21 @@ def test_rounding_is_to_the_spelled_decimal(numbers: list[float], digits: int) -
         assert_rounded(rounded, value, digits)
 
 
+@pytest.mark.parametrize("digits", range(3, 17))
+def test_rounding_is_that_of_formatting(digits: int) -> None:
+    rng = np.random.default_rng(digits)
+    random = rng.uniform(-1.0, 1.0, 20_000) * 10.0 ** rng.integers(-30, 30, 20_000)
+    ties = (rng.integers(10 ** (digits - 1), 10**digits, 5_000) + 0.5) / 10.0 ** rng.integers(
+        0, 9, 5_000
+    )
+    powers = 10.0 ** np.arange(-40.0, 40.0)
+    near = [powers, np.nextafter(powers, 0.0), np.nextafter(powers, np.inf), powers * (1.0 - 1e-14)]
+    values = np.concatenate([random, ties, *near])
+    expected = [float(f"{value:.{digits}g}") for value in values.tolist()]
+    assert round_significant(values, digits).tolist() == expected
+    assert round_significant(values[0], digits) == expected[0]
+
+
 def test_rounding_leaves_alone_what_has_no_digits() -> None:
     rounded = round_significant(np.array([0.0, -0.0, np.nan, 1.0]), 3)
     assert np.array_equal(rounded, [0.0, 0.0, np.nan, 1.0], equal_nan=True)
