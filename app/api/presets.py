@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from app.api.problems import BadParameters
+from app.api.problems import BadParameters, given
 from app.materials import Resolved
 from app.optics.errors import OpticsError
 from app.optics.interface import Interface
@@ -28,7 +28,7 @@ def reported_as(**names: str) -> Iterator[None]:
     except OpticsError as error:
         name = names.get(error.parameter, error.parameter)
         raise BadParameters(
-            {"parameter": name, "value": str(error.value), "message": error.allowed}
+            {"parameter": name, "value": given(error), "message": error.allowed}
         ) from None
 
 

@@ -179,8 +179,13 @@ def _on_validation(request: Request, error: RequestValidationError) -> Response:
     )
 
 
+def given(error: OpticsError) -> str | None:
+    """What was given, as it is written in an address."""
+    return None if error.value is None else str(error.value).removesuffix(".0")
+
+
 def _optics_error(error: OpticsError) -> ParameterError:
-    return {"parameter": error.parameter, "value": str(error.value), "message": error.allowed}
+    return {"parameter": error.parameter, "value": given(error), "message": error.allowed}
 
 
 def _on_optics(request: Request, error: OpticsError) -> Response:

@@ -128,7 +128,7 @@ def router(registry: Registry) -> APIRouter:
         reason = reason_without(model)
         if reason is not None:
             raise MissingResource(
-                NotAllowed("model_id", repr(model.id), f"a model with a closed form; {reason}")
+                NotAllowed("model_id", model.id, f"a model with a closed form; {reason}")
             )
         language = LANGUAGES[language_id]
         code = write(model, language, channels)

@@ -20,7 +20,7 @@ class UnknownMaterial(UnknownName):
         hint = "the id or an alias of a material"
         if nearest:
             hint += f"; nearest: {', '.join(nearest)}"
-        OpticsError.__init__(self, "material", repr(id), hint)
+        OpticsError.__init__(self, "material", id, hint)
         self.nearest = list(nearest)
 
 
@@ -44,7 +44,7 @@ class WavelengthOutOfRange(OutOfRange):
     ) -> None:
         span = f"{minimum:.10g}" if minimum == maximum else f"{minimum:.10g} to {maximum:.10g}"
         super().__init__(
-            "wavelength_nm", f"{value:.10g}", f"{span} nm, where {quantity} of {material} is known"
+            "wavelength_nm", value, f"{span} nm, where {quantity} of {material} is known"
         )
         self.material = material
         self.quantity = quantity
@@ -57,5 +57,5 @@ class NoSpectrum(NotAllowed):
 
     def __init__(self, material: str) -> None:
         super().__init__(
-            "material", repr(material), "a material with a spectrum; this one is a single index"
+            "material", material, "a material with a spectrum; this one is a single index"
         )

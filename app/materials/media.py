@@ -138,7 +138,7 @@ def transparency_warnings(preset: Preset, k: float | None) -> list[str]:
     if k is None:
         return ["k is not known and counts as 0"]
     if k >= NEGLIGIBLE_K:
-        raise NotAllowed("incident", repr(preset.id), transparent(k))
+        raise NotAllowed("incident", preset.id, transparent(k))
     return [f"k = {k:.3g} is left out: n_i is real"] if k > 0.0 else []
 
 

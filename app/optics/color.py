@@ -156,7 +156,7 @@ def srgb_weights(
 def _spectrum(values: ArrayLike) -> Array:
     array = np.asarray(values, dtype=np.float64)
     if array.ndim == 0 or array.shape[-1] != WAVELENGTH_NM.size:
-        raise NotAllowed("values", f"shape {array.shape}", "471 values, 360 to 830 nm by 1 nm")
+        raise NotAllowed("values", array.shape, "471 values, 360 to 830 nm by 1 nm")
     return array
 
 

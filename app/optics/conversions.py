@@ -239,7 +239,7 @@ def hex_channels(code: str) -> tuple[float, float, float]:
     """
     digits = code.removeprefix("#")
     if len(digits) != 6 or not set(digits.lower()) <= set("0123456789abcdef"):
-        raise NotAllowed("hex", repr(code), "six hexadecimal digits, as #c8a050")
+        raise NotAllowed("hex", code, "six hexadecimal digits, as #c8a050")
     red, green, blue = (int(digits[i : i + 2], 16) / 255.0 for i in (0, 2, 4))
     return red, green, blue
 

@@ -23,7 +23,8 @@ class OpticsError(ValueError):
     """
 
     def __init__(self, parameter: str, value: object, allowed: str) -> None:
-        super().__init__(f"{parameter} = {value} is not allowed: {allowed}")
+        shown = repr(value) if isinstance(value, str) else value
+        super().__init__(f"{parameter} = {shown} is not allowed: {allowed}")
         self.parameter = parameter
         self.value = value
         self.allowed = allowed
@@ -44,8 +45,7 @@ class UnknownName(OpticsError):
         names = sorted(known)
         self.nearest = get_close_matches(value.lower(), names, n=3, cutoff=0.5)
         hint = f"nearest: {', '.join(self.nearest)}" if self.nearest else f"one of {names}"
-        super().__init__(parameter, repr(value), hint)
-        self.value = value
+        super().__init__(parameter, value, hint)
 
 
 class UnknownModel(UnknownName):

@@ -81,7 +81,7 @@ class Parameter:
                 raise TypeError
             array = np.asarray(given, dtype=np.float64)
         except (TypeError, ValueError):
-            raise OutOfRange(self.name, repr(value), self.allowed) from None
+            raise OutOfRange(self.name, value, self.allowed) from None
         inside = self.admits(array)
         if not inside.all():
             raise OutOfRange(self.name, array[~inside].flat[0], self.allowed)

@@ -338,3 +338,22 @@ class TestCrash:
 
     def test_leaves_the_rest_running(self, broken: FastAPI) -> None:
         assert send(broken, API + b"/curves?models=exact").status == 200
+
+
+@pytest.mark.parametrize(
+    ("target", "value"),
+    [
+        (b"/snell?material=Auu", "Auu"),
+        (b"/snell?incident=Au", "Au"),
+        (b"/snell?material=Au&wavelength_nm=3", "3"),
+        (b"/curves?models=bogus", "bogus"),
+        (b"/formulas/brewster", "brewster"),
+        (b"/materials/Auu", "Auu"),
+        (b"/materials/Au/spectrum?step_nm=0.001", "0.001"),
+        (b"/materials/Au/spectrum?minimum_nm=600&maximum_nm=500", "600"),
+        (b"/materials/Au/curves?wavelengths_nm=500,b", "b"),
+        (b"/convert?from=f0_srgb&hex=zz", "zz"),
+    ],
+)
+def test_the_value_is_told_as_it_was_given(app: FastAPI, target: bytes, value: str) -> None:
+    assert [e["value"] for e in send(app, API + target).json()["errors"]] == [value]

@@ -48,7 +48,7 @@ def test_n_and_k_keep_their_own_ranges() -> None:
     assert (error.parameter, error.material, error.quantity) == ("wavelength_nm", "Cu", "k")
     assert (error.minimum, error.maximum) == (450.0, 650.0)
     assert str(error) == (
-        "wavelength_nm = 420 is not allowed: 450 to 650 nm, where k of Cu is known"
+        "wavelength_nm = 420.0 is not allowed: 450 to 650 nm, where k of Cu is known"
     )
 
 

@@ -108,7 +108,8 @@ def curves_answer(preset: Preset, query: MaterialCurvesQuery, models: list[Model
     """Curves as JSON or CSV."""
     spectrum, front = default_catalog().spectrum(preset.id), query.front()
     wavelength_nm = wavelengths_of(spectrum, front, query)
-    refuse_more_than("samples", wavelength_nm.size * query.samples, "values of all curves")
+    count = wavelength_nm.size * query.samples
+    refuse_more_than("samples", query.samples, count, "values of all curves")
     theta_i_deg = np.linspace(0.0, 90.0, query.samples)
     incidence = Incidence.from_degrees(theta_i_deg)
     warnings = unknown_k(spectrum)

@@ -87,7 +87,7 @@ class Front:
         if max(low, own[0]) > min(high, own[1]):
             raise NotAllowed(
                 "incident",
-                repr(self.spectrum.id),
+                self.spectrum.id,
                 f"a medium known somewhere from {low:.10g} to {high:.10g} nm",
             )
         return max(low, own[0]), min(high, own[1])
@@ -171,7 +171,7 @@ def boundary(spectrum: Spectrum, wavelength_nm: Array, n_i: Array | float) -> In
         at = wavelength_nm[values == error.value]
         raise OutOfRange(
             "wavelength_nm",
-            f"{at[0]:.10g}" if at.size else "",
+            at[0] if at.size else None,
             f"one where {error.parameter} is {error.allowed}; "
             f"of {spectrum.id} it is {error.value:.5g} here",
         ) from None
@@ -188,7 +188,9 @@ def visible_part(known: tuple[float, float]) -> tuple[float, float]:
     return (low, high) if low < high else known
 
 
-def refuse_more_than(parameter: str, count: int, what: str, most: int = MOST_VALUES) -> None:
+def refuse_more_than(
+    parameter: str, value: object, count: int, what: str, most: int = MOST_VALUES
+) -> None:
     """Refuse an answer of too many values.
 
     Raises
@@ -197,7 +199,7 @@ def refuse_more_than(parameter: str, count: int, what: str, most: int = MOST_VAL
         Naming the parameter that makes it so large.
     """
     if count > most:
-        raise NotAllowed(parameter, f"{count} {what}", f"at most {most} {what} in an answer")
+        raise NotAllowed(parameter, value, f"at most {most} {what} in an answer")
 
 
 def parse_wavelengths(text: str) -> Array:
@@ -215,9 +217,9 @@ def parse_wavelengths(text: str) -> Array:
         except ValueError:
             value = np.nan
         if not np.isfinite(value):
-            raise NotAllowed("wavelengths_nm", repr(part), "comma-separated numbers, in nm")
+            raise NotAllowed("wavelengths_nm", part, "comma-separated numbers, in nm")
         if value in numbers:
-            raise NotAllowed("wavelengths_nm", repr(part), "each wavelength once")
+            raise NotAllowed("wavelengths_nm", part, "each wavelength once")
         numbers.append(value)
     return np.array(numbers)
 

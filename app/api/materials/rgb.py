@@ -90,7 +90,7 @@ def check_models(models: list[Model], registry: Registry) -> None:
     for model in models:
         if model.id != "exact" and not takes_color(model):
             able = [m.id for m in registry.values() if takes_color(m)]
-            raise NotAllowed("models", repr(model.id), f"one of {', '.join(('exact', *able))}")
+            raise NotAllowed("models", model.id, f"one of {', '.join(('exact', *able))}")
 
 
 def rgb_models(

@@ -65,7 +65,7 @@ class RangeQuery(QueryModel):
                 error.parameter = name
                 raise error
         if low > high:
-            raise NotAllowed("minimum_nm", f"{low:.10g}", f"at most maximum_nm = {high:.10g}")
+            raise NotAllowed("minimum_nm", low, f"at most maximum_nm = {high:.10g}")
         return low, high
 
 
@@ -119,7 +119,7 @@ def native(quantity: Quantity, low: float, high: float) -> dict[str, Any]:
 def stepped(low: float, high: float, step: float) -> Array:
     """Wavelengths from `low` in equal steps, none above `high`."""
     count = int(min((high - low) / step + 1e-9, 1e9)) + 1
-    refuse_more_than("step_nm", count, "wavelengths", MAX_SAMPLES)
+    refuse_more_than("step_nm", step, count, "wavelengths", MAX_SAMPLES)
     return np.asarray(np.minimum(low + step * np.arange(count), high))
 
 
@@ -194,7 +194,7 @@ def map_answer(preset: Preset, query: MapQuery) -> ReadyBody:
     known = front.range_beside(spectrum)
     names = preset.id if front.spectrum is None else f"{preset.id} and of {front.spectrum.id}"
     low, high = query.range_within(names, known, visible_part(known))
-    refuse_more_than("steps", query.steps * query.samples, "cells")
+    refuse_more_than("steps", query.steps, query.steps * query.samples, "cells")
     wavelength_nm = np.linspace(low, high, query.steps)
     theta_i_deg = np.linspace(0.0, 90.0, query.samples)
     n_i, said = front.at(wavelength_nm)
