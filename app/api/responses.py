@@ -42,7 +42,8 @@ def round_significant(values: Array, digits: int) -> Array:
     scalable = ordinary & (np.abs(power) <= _LARGEST_EXACT_POWER) & (digits <= _MOST_DIGITS_SCALED)
     scale = 10.0 ** np.where(scalable, np.abs(power), 0.0)
     up = power >= 0.0
-    scaled = np.where(up, values * scale, values / scale)
+    numbers = np.where(scalable, values, 0.0)
+    scaled = np.where(up, numbers * scale, numbers / scale)
     whole = np.round(scaled)
     # Where the product's own error could turn it the other way, it is not trusted.
     scalable &= 0.5 - np.abs(scaled - whole) > np.finfo(np.float64).eps * np.abs(scaled)

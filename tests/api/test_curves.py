@@ -280,8 +280,8 @@ def test_rounding_is_that_of_formatting(digits: int) -> None:
 
 
 def test_rounding_leaves_alone_what_has_no_digits() -> None:
-    rounded = round_significant(np.array([0.0, -0.0, np.nan, 1.0]), 3)
-    assert np.array_equal(rounded, [0.0, 0.0, np.nan, 1.0], equal_nan=True)
+    rounded = round_significant(np.array([0.0, -0.0, np.nan, 1.0, np.inf, -np.inf]), 3)
+    assert np.array_equal(rounded, [0.0, 0.0, np.nan, 1.0, np.inf, -np.inf], equal_nan=True)
 
 
 @given(
