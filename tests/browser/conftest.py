@@ -14,11 +14,13 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import ConsoleMessage, Page, Request
+from playwright.sync_api import ConsoleMessage, Page, Request, expect
 
 ROOT = Path(__file__).parents[2]
 BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome")
 STARTUP_SECONDS = 60.0
+# A busy machine must not turn a slow page into a failure.
+expect.set_options(timeout=20_000)
 # Without a graphics card Chromium reads a canvas back to show it, and says that this is slow.
 GRAPHICS_REMARK = "GPU stall due to ReadPixels"
 # The files of the page are kept in one test, which is about that, and not fetched again in the others.
