@@ -5,9 +5,11 @@ import { h } from "./dom.js";
 /**
  * @typedef {'png' | 'svg' | 'csv'} Format
  * @typedef {import("./plot/publication.js").Publication} Publication
+ * @typedef {import("./publish/media.js").Behind} Behind
  * @typedef {object} Published a figure that can be drawn for a publication
  * @property {(format: 'png' | 'svg', publication: Publication) => Promise<Blob>} exportAs
  * @property {() => {name: string, ids: readonly string[]}} about its title, and what is drawn in it
+ * @property {number} [beside] px of its width that are not the plot's, such as a key's
  */
 
 /**
@@ -16,8 +18,9 @@ import { h } from "./dom.js";
  * @param {() => string} options.name of the file, without ending
  * @param {(format: Format) => Promise<Blob | Blob[]>} options.make
  * @param {(name: string, blob: Blob) => void} options.save
- * @param {{figures: () => Published[], call: string}} [options.print] what can be set up for a
- *   publication, and a part of the REST call on the page that it shows
+ * @param {{figures: () => Published[], call: string, behind: () => Behind}} [options.print]
+ *   what can be set up for a publication, a part of the REST call on the page that it shows, and where
+ *   its indices are from
  */
 export function createExports({ what, name, make, save, print }) {
   /** @param {Format} kind */
@@ -51,7 +54,8 @@ export function createExports({ what, name, make, save, print }) {
           "aria-label": `For print… (${what.replace(/^the /u, "")})`,
           onclick: async () => {
             const { publish } = await import("./publish/dialog.js");
-            publish({ figures: print.figures(), call: print.call, name: name(), save });
+            const { figures, call, behind } = print;
+            publish({ figures: figures(), call, behind: behind(), name: name(), save });
           },
         },
         "For print…",

@@ -8,14 +8,14 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Download, Page, Route, expect
 
 from tests.browser.explore_page import READY_MS, opened
 from tests.browser.test_accessible import AXE
 
 SVG = "{http://www.w3.org/2000/svg}"
 MM_PER_POINT = 25.4 / 72
-# Corner and middle of a picture's red, green, blue and opacity, as the browser decodes it.
+# Red, green, blue and opacity near a picture's corner, as the browser decodes it.
 PIXELS = """async (bytes) => {
   const picture = await createImageBitmap(new Blob([new Uint8Array(bytes)]));
   const canvas = new OffscreenCanvas(picture.width, picture.height);
@@ -31,6 +31,20 @@ def sheet(page: Page, what: str = "plot") -> Any:
     dialog = page.get_by_role("dialog", name="Figure for print")
     expect(dialog.locator(".publish-preview img").first).to_be_visible(timeout=READY_MS)
     return dialog
+
+
+def visited(page: Page, query: str) -> Page:
+    """Open a view that is not the first one and wait until it stands still."""
+    page.goto(f"/?{query}")
+    page.locator(".js-plotly-plot .main-svg").first.wait_for(timeout=READY_MS)
+    page.wait_for_load_state("networkidle")
+    return page
+
+
+def source_of(page: Page, material: str) -> str:
+    """Say whom the API names for a material."""
+    answer = page.request.get(f"/api/v1/materials/{material}").json()
+    return str(answer["source"]).rstrip(".")
 
 
 def saved(page: Page, dialog: Any, kind: str) -> bytes:
@@ -129,36 +143,162 @@ def test_what_cannot_be_is_said_and_not_saved(quiet_page: Page) -> None:
 
 @pytest.mark.parametrize(
     ("view", "what", "count"),
-    [("compare", "curves", 1), ("albedo", "map", 1), ("materials", "“Over the wavelength”", 1)],
+    [
+        ("compare", "curves", 1),
+        ("albedo", "map", 1),
+        ("materials", "“Over the wavelength”", 1),
+        ("materials", "“Two Schlicks against the spectrum”", 2),
+    ],
 )
 def test_other_views_have_it(quiet_page: Page, view: str, what: str, count: int) -> None:
-    quiet_page.goto(f"/?view={view}")
-    quiet_page.locator(".js-plotly-plot .main-svg").first.wait_for(timeout=READY_MS)
-    quiet_page.wait_for_load_state("networkidle")
-    dialog = sheet(quiet_page, what)
-    assert dialog.locator(".publish-preview img").count() == count
-    root = ET.fromstring(saved(quiet_page, dialog, "svg"))  # noqa: S314
-    assert mm(root, "width") == pytest.approx(85, abs=1e-3)
+    page = visited(quiet_page, f"view={view}")
+    dialog = sheet(page, what)
+    captions = [box.input_value() for box in dialog.get_by_label("Text of the caption").all()]
+    names = [caption.split("\n")[0] for caption in captions]
+    assert dialog.locator(".publish-preview img").count() == len(set(names)) == count
+    downloads: list[Download] = []
+    page.on("download", lambda download: downloads.append(download))
+    saved(page, dialog, "svg")
+    while len(downloads) < count:
+        page.wait_for_timeout(20)
+    assert len({download.suggested_filename for download in downloads}) == count
+    for download, own in zip(downloads, names, strict=True):
+        root = ET.fromstring(download.path().read_bytes())  # noqa: S314 (made by the page)
+        assert mm(root, "width") == pytest.approx(85, abs=1e-3)
+        text = "".join("".join(root.itertext()).split())
+        assert [name for name in names if "".join(name.split()) in text] == [own]
 
 
 @pytest.mark.parametrize(
-    ("query", "what", "materials"),
+    ("query", "what", "cited", "others"),
     [
-        ("view=materials&plot_of=F0", "“Over the wavelength”", ("Au", "Au-Johnson")),
-        ("view=compare&material=Cu", "curves", ("Cu",)),
+        ("view=materials&plot_of=F0", "“Over the wavelength”", ("Au", "Au-Johnson"), ()),
+        (
+            "view=materials&preset=Au&material=Cu&rivals=hidden",
+            "“Over the wavelength”",
+            ("Au",),
+            ("Cu",),
+        ),
+        ("view=compare&material=Cu", "curves", ("Cu",), ("Au",)),
+        ("view=compare&material=Au&over=n-k", "figure of the error", (), ("Au",)),
+        (
+            "view=compare&material=Au&over=n-k&incident=water",
+            "figure of the error",
+            ("water",),
+            ("Au",),
+        ),
+        ("view=compare&material=water", "figure of the error", (), ("water",)),
+        ("view=albedo&material=Cu&incident=water", "albedos", (), ("Cu", "water")),
+        ("view=albedo&material=Cu&incident=water", "map", ("water",), ("Cu",)),
     ],
 )
-def test_caption_cites_the_measurements(
-    quiet_page: Page, query: str, what: str, materials: tuple[str, ...]
+def test_caption_cites_the_measurements_that_are_drawn(
+    quiet_page: Page, query: str, what: str, cited: tuple[str, ...], others: tuple[str, ...]
 ) -> None:
-    quiet_page.goto(f"/?{query}")
-    quiet_page.locator(".js-plotly-plot .main-svg").first.wait_for(timeout=READY_MS)
-    quiet_page.wait_for_load_state("networkidle")
-    caption = sheet(quiet_page, what).get_by_label("Text of the caption").input_value()
-    for material in materials:
-        described = quiet_page.request.get(f"/api/v1/materials/{material}").json()
+    page = visited(quiet_page, query)
+    caption = sheet(page, what).get_by_label("Text of the caption").input_value()
+    for material in cited:
+        described = page.request.get(f"/api/v1/materials/{material}").json()
         assert described["source"].rstrip(".") in caption
         assert all(doi in caption for doi in described["doi"])
+    for material in others:
+        assert source_of(page, material) not in caption
+
+
+def test_caption_says_the_wavelength(quiet_page: Page) -> None:
+    page = opened(quiet_page, "?material=Au&wavelength_nm=550&models=schlick")
+    caption = sheet(page).get_by_label("Text of the caption").input_value()
+    assert f"Gold at 550 nm: {source_of(page, 'Au')}" in caption
+
+
+def test_a_sweep_says_which_index_is_the_materials(quiet_page: Page) -> None:
+    page = visited(quiet_page, "view=compare&material=Au&wavelength_nm=550&over=n")
+    caption = sheet(page, "figure of the error").get_by_label("Text of the caption").input_value()
+    answer = page.request.get("/api/v1/materials/Au?wavelength_nm=550").json()
+    k_t = answer["constants"]["k"]
+    assert f"k_t = {k_t}" in caption
+    assert f"k_t of Gold at 550 nm: {source_of(page, 'Au')}" in caption
+
+
+SOURCES = "**/api/v1/materials?fields=id,name,kind,wavelength_nm,source,doi"
+
+
+def test_captions_come_back_after_a_failure(page: Page) -> None:
+    opened(page, "?models=schlick")
+    page.route(SOURCES, lambda route: route.abort())
+    dialog = sheet(page)
+    expect(dialog.get_by_role("alert")).to_contain_text("The sources cannot be had")
+    expect(dialog.get_by_label("Text of the caption")).to_have_value("")
+    dialog.get_by_role("button", name="Close").click()
+    page.unroute(SOURCES)
+    dialog = sheet(page)
+    expect(dialog.get_by_role("alert")).to_be_hidden()
+    expect(dialog.get_by_label("Text of the caption")).to_have_value(re.compile("Schlick"))
+    expect(dialog.get_by_label("Caption below the figure")).to_be_checked()
+
+
+def test_a_slow_caption_waits_and_stays_in_its_own_sheet(quiet_page: Page) -> None:
+    page = visited(quiet_page, "view=compare")
+    held: list[Route] = []
+    page.route(SOURCES, lambda route: held.append(route))
+    page.get_by_role("button", name="For print… (curves)").click()
+    dialog = page.get_by_role("dialog", name="Figure for print")
+    box = dialog.get_by_label("Text of the caption")
+    expect(box).to_be_disabled()
+    expect(dialog.get_by_role("button", name="Save as SVG")).to_be_disabled()
+    dialog.get_by_role("button", name="Close").click()
+    page.get_by_role("button", name="For print… (errors)").click()
+    while not held:
+        page.wait_for_timeout(20)
+    for route in held:
+        route.continue_()
+    expect(box).to_be_enabled()
+    expect(box).to_have_value(re.compile("^Error of the models"))
+    page.wait_for_load_state("networkidle")
+    expect(box).to_have_value(re.compile("^Error of the models"))
+
+
+def test_what_was_typed_is_kept(quiet_page: Page) -> None:
+    page = visited(quiet_page, "view=compare")
+    dialog = sheet(page, "curves")
+    box = dialog.get_by_label("Text of the caption")
+    box.fill("Figure 3, of my own")
+    dialog.get_by_role("button", name="Close").click()
+    expect(sheet(page, "errors").get_by_label("Text of the caption")).not_to_have_value(
+        re.compile("of my own")
+    )
+    dialog.get_by_role("button", name="Close").click()
+    expect(sheet(page, "curves").get_by_label("Text of the caption")).to_have_value(
+        "Figure 3, of my own"
+    )
+
+
+def test_a_png_that_cannot_be_made_is_said(quiet_page: Page) -> None:
+    dialog = sheet(opened(quiet_page))
+    dialog.get_by_label("Width, mm").fill("400")
+    # What a browser does with a canvas that is larger than it can have.
+    quiet_page.evaluate("() => { HTMLCanvasElement.prototype.toBlob = (done) => done(null); }")
+    dialog.get_by_role("button", name="Save as PNG").click()
+    expect(dialog.get_by_role("alert")).to_contain_text("cannot make a PNG of 400 × 60 mm")
+
+
+def test_the_pointer_of_the_page_is_not_printed(quiet_page: Page) -> None:
+    page = opened(quiet_page, "?marks=off")
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Save the plot as SVG").click()
+    lines = f".//{SVG}g[@class='shapelayer']/{SVG}*"
+
+    def count(file: bytes) -> int:
+        return len(ET.fromstring(file).findall(lines))  # noqa: S314 (made by the page)
+
+    assert count(download.value.path().read_bytes()) == 1
+    assert count(saved(page, sheet(page), "svg")) == 0
+
+
+def test_a_map_needs_room_for_its_key(quiet_page: Page) -> None:
+    dialog = sheet(visited(quiet_page, "view=albedo"), "map")
+    dialog.get_by_label("Width, mm").fill("60")
+    expect(dialog.get_by_role("alert")).to_contain_text("7 pt letters need a width of")
 
 
 def test_what_is_written_stays_on_the_picture(quiet_page: Page) -> None:

@@ -140,7 +140,11 @@ export function createMap(parent, { actions, state, save }) {
         what: "the map",
         name: () => "fresnel-albedo-map",
         make: (format) => map.exportAs(format),
-        print: { figures: () => [map], call: "/albedo/map" },
+        print: {
+          figures: () => [map],
+          call: "/albedo/map",
+          behind: () => ({ state: state(), indices: ["n_i"] }),
+        },
         save,
       }),
     ),

@@ -12,6 +12,7 @@ import { createPlot } from "../plots.js";
 import { clamp } from "../snap.js";
 import { createBounds } from "./bounds.js";
 import { gone, isMetal, place, sweepRange } from "./fields.js";
+import { held } from "./queries.js";
 import { albedoTraces, claimTraces, decisive, errorTraces, tamed } from "./traces.js";
 import { createTrouble } from "./trouble.js";
 
@@ -84,6 +85,10 @@ export function createPlots(parent, { actions, save }) {
     "Table of the albedos": () => (drawn.settled ? [upper.table()] : []),
     "Table of the errors": () => (drawn.settled ? [lower.table()] : []),
   });
+  const print = {
+    call: "/albedo/sweep",
+    behind: () => ({ state: now, indices: now ? held(now) : [] }),
+  };
   const element = h(
     "section",
     { class: "column albedos", "aria-label": "Albedo and errors of the fits" },
@@ -95,7 +100,7 @@ export function createPlots(parent, { actions, save }) {
         what: "the albedos",
         name: () => "fresnel-albedo",
         make: (format) => upper.exportAs(format),
-        print: { figures: () => [upper], call: "/albedo/sweep" },
+        print: { figures: () => [upper], ...print },
         save,
       }),
     ),
@@ -111,7 +116,7 @@ export function createPlots(parent, { actions, save }) {
         what: "the errors of the fits",
         name: () => "fresnel-albedo-error",
         make: (format) => lower.exportAs(format),
-        print: { figures: () => [lower], call: "/albedo/sweep" },
+        print: { figures: () => [lower], ...print },
         save,
       }),
     ),

@@ -14,6 +14,11 @@ const MAP_CELLS = { n: 118, k: 121 };
 /** A cell's colour needs no more. */
 const MAP_DIGITS = 6;
 
+/** The indices that stay as they are in a sweep. @param {State} state @returns {string[]} */
+export function held({ surface }) {
+  return isMetal(surface) ? ["n_i", surface === "metal-n" ? "k_t" : "n_t"] : [];
+}
+
 /** @param {State} state @param {Catalog} catalog */
 export function sweepPath(state, catalog) {
   const metal = isMetal(state.surface);
@@ -27,7 +32,7 @@ export function sweepPath(state, catalog) {
     `steps=${metal ? STEPS.metal : STEPS.dielectric}`,
     fits.length > 0 && `fits=${fits.join(",")}`,
     state.lights.includes("flatland") && "flatland=true",
-    ...(metal ? mediaQuery(state, catalog, ["n_i", over === "n_t" ? "k_t" : "n_t"]) : []),
+    ...mediaQuery(state, catalog, held(state)),
   ]);
 }
 

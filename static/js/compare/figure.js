@@ -14,7 +14,7 @@ import { createPlot } from "../plots.js";
 import { mapOf, sweepOf } from "./answers.js";
 import { focused, isMap, isPointwise, ranges } from "./fields.js";
 import { short } from "./metrics.js";
-import { hasTriple } from "./queries.js";
+import { hasTriple, held } from "./queries.js";
 
 /**
  * @typedef {import('../types.js').Catalog} Catalog
@@ -140,7 +140,11 @@ export function createFigure({ parent, catalog, actions, save }) {
     what: "the figure of the error",
     name: () => `fresnel-error-${now?.over ?? "n"}`,
     make: (format) => shown().exportAs(format),
-    print: { figures: () => [shown()], call: "/errors/" },
+    print: {
+      figures: () => [shown()],
+      call: "/errors/",
+      behind: () => ({ state: now, indices: now ? held(now) : [] }),
+    },
     save,
   });
   const hint = h("p", { class: "hint" });

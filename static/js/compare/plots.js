@@ -53,7 +53,11 @@ export function createPlots({ parent, models, actions, save }) {
       what: `the ${label}`,
       name: () => name,
       make: (format) => plot().exportAs(format),
-      print: { figures: () => [plot()], call: "/curves" },
+      print: {
+        figures: () => [plot()],
+        call: "/curves",
+        behind: () => ({ state: now, indices: ["n_i", "n_t", "k_t"] }),
+      },
       save,
     });
   const kind = createChoice({

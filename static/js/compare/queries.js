@@ -19,13 +19,16 @@ const MAP_CELLS = { theta: 181, n: 121, wide: 121, k: 101 };
 /** A cell's color needs no more. */
 const MAP_DIGITS = 4;
 
-/** @param {State} state @param {Catalog} catalog @param {string[]} without @returns {string[]} */
-const mediaBut = (state, catalog, without) =>
-  mediaQuery(
-    state,
-    catalog,
-    ["n_i", "n_t", "k_t"].filter((name) => !without.includes(name)),
-  );
+/** @type {Record<string, readonly string[]>} */
+const HELD = {
+  n: ["n_i", "k_t"],
+  k: ["n_i", "n_t"],
+  "theta-n": ["n_i", "k_t"],
+  "n-k": ["n_i"],
+};
+
+/** The indices that stay as they are in the figure over the media. @param {State} state */
+export const held = ({ over }) => HELD[over] ?? [];
 
 /** @param {State} state @param {Catalog} catalog @param {number} [n] of another member of the family */
 function curvesPath(state, catalog, n) {
@@ -65,7 +68,7 @@ export function sweepPath(state, catalog, model) {
     `minimum=${low}`,
     `maximum=${high}`,
     `steps=${SWEEP_STEPS}`,
-    ...mediaBut(state, catalog, [over]),
+    ...mediaQuery(state, catalog, held(state)),
     ...parameterQuery(state, catalog.models, [model]),
   ]);
 }
@@ -92,7 +95,7 @@ export function mapPath(state, catalog) {
       : [...spread("x", "n_t", n, MAP_CELLS.wide), ...spread("y", "k_t", k, MAP_CELLS.k)]),
     `metric=${pointwise ? state.point : state.metric}`,
     `digits=${MAP_DIGITS}`,
-    ...mediaBut(state, catalog, pointwise ? ["n_t"] : ["n_t", "k_t"]),
+    ...mediaQuery(state, catalog, held(state)),
     ...parameterQuery(state, catalog.models, [model]),
   ]);
 }

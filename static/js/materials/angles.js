@@ -78,6 +78,7 @@ export function createAngles({ parent, actions, save }) {
     figures: () => [plot],
     filename: () => `${now?.preset ?? "material"}-R-theta`,
     call: "rgb=false",
+    presets: () => (now ? [now.preset] : []),
     save,
   });
   const plot = createPlot(host, {

@@ -66,9 +66,10 @@ export function createColors({ parent, catalog, actions, save }) {
     hosts: frames.map((frame, i) =>
       h("div", { class: "half" }, headings[i], h("div", { class: "plot-host" }, frame)),
     ),
-    figures: () => plots,
+    figures: () => plots.filter((_, i) => traces[i]?.length),
     filename: () => `${now?.preset ?? "material"}-schlick`,
     call: "curves?models=",
+    presets: () => (now ? [now.preset] : []),
     save,
   });
   panel.element.append(

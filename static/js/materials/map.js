@@ -39,6 +39,7 @@ export function createMap({ parent, actions, save }) {
     figures: () => [map],
     filename: () => `${now?.preset ?? "material"}-theta-lambda`,
     call: "/map",
+    presets: () => (now ? [now.preset] : []),
     save,
   });
   const map = createHeatmap(host, {

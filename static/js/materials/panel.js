@@ -20,6 +20,7 @@ import { createDataTables } from "../plot/data-table.js";
  * @param {() => Figure[]} options.figures
  * @param {() => string} options.filename without ending
  * @param {string} options.call a part of the REST call that it shows
+ * @param {() => string[]} options.presets that it shows
  * @param {(name: string, blob: Blob) => void} options.save
  */
 export function createPanel({
@@ -31,13 +32,14 @@ export function createPanel({
   figures,
   filename,
   call,
+  presets,
   save,
 }) {
   const exports = createExports({
     what: `“${title}”`,
     name: filename,
     make: (kind) => Promise.all(figures().map((figure) => figure.exportAs(kind))),
-    print: { figures, call },
+    print: { figures, call, behind: () => ({ presets: presets() }) },
     save,
   });
   const heading = h("h2", {}, title);

@@ -85,6 +85,7 @@ export function createSpectrum({ parent, catalog, actions, save }) {
     figures: () => [plot],
     filename: () => `${now?.preset ?? "material"}-${now?.plot_of === "F0" ? "F0" : "n-k"}`,
     call: "/spectrum",
+    presets: () => sources.map(({ material }) => material.id),
     save,
   });
   const plot = createPlot(host, {
@@ -101,7 +102,7 @@ export function createSpectrum({ parent, catalog, actions, save }) {
     },
   });
   let drawn = "";
-  /** @type {unknown[]} */
+  /** @type {{material: {id: string}}[]} the spectra that are drawn */
   let sources = [];
   /** @type {Trace[]} */
   let traces = [];

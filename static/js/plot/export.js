@@ -206,16 +206,17 @@ export function exportFigure({
  */
 export function exportPlot(element, { at, size: shown, ...picture }, format, publication) {
   const still = picture.marks.filter((mark) => mark.kind !== "current");
-  const current = { x: at ?? 0, label: "", kind: /** @type {const} */ ("current") };
-  const marks = at === null ? picture.marks : [...still, current];
   if (publication) {
+    // It has no pointer and no numbers that would say what the marker's line stands for.
     const { mmPerPx, ...size } = drawingSize(publication);
     const { ground, caption } = publication;
-    const bare = { ...picture, marks, title: "", caption, size, padding: PRINT_PADDING };
+    const bare = { ...picture, marks: still, title: "", caption, size, padding: PRINT_PADDING };
     return onGround(element, ground, (theme) =>
       imageOf(exportFigure({ ...bare, theme }), format, mmPerPx),
     );
   }
+  const current = { x: at ?? 0, label: "", kind: /** @type {const} */ ("current") };
+  const marks = at === null ? picture.marks : [...still, current];
   const { width, height } = shown ?? { width: 960, height: 600 };
   const wide = Math.min(Math.max(width, WIDTH.least), WIDTH.most);
   const size = { width: Math.round(wide), height: Math.round((wide * height) / width) + 40 };

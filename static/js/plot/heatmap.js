@@ -390,6 +390,7 @@ export function createHeatmap(element, options) {
       placeCross();
     },
     about: () => ({ name, ids }),
+    beside: KEY_WIDTH,
     /** @param {'png' | 'svg' | 'csv'} format @param {import("./publication.js").Publication} [publication] */
     async exportAs(format, publication) {
       if (!grid) throw new Error("there is no map yet");

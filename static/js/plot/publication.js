@@ -32,12 +32,14 @@ export function drawingSize({ width_mm, height_mm, font_pt }) {
 /**
  * What is too small to hold letters of that size, in words; empty when nothing is.
  * @param {Pick<Publication, "width_mm" | "height_mm" | "font_pt">} publication
+ * @param {number} [beside] px of the width that are not the plot's
  */
-export function tooSmall(publication) {
+export function tooSmall(publication, beside = 0) {
   const { mmPerPx, ...size } = drawingSize(publication);
+  const least = { ...LEAST, width: LEAST.width + beside };
   for (const side of /** @type {const} */ (["width", "height"])) {
-    if (size[side] < LEAST[side])
-      return `${publication.font_pt} pt letters need a ${side} of ${Math.ceil(LEAST[side] * mmPerPx)} mm or more`;
+    if (size[side] < least[side])
+      return `${publication.font_pt} pt letters need a ${side} of ${Math.ceil(least[side] * mmPerPx)} mm or more`;
   }
   return "";
 }

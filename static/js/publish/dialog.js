@@ -4,11 +4,17 @@ import { h, setText } from "../dom.js";
 import { tooSmall } from "../plot/publication.js";
 import { loadStyle } from "../style.js";
 import { captionOf } from "./caption.js";
+import { mediaBehind } from "./media.js";
 
 /**
  * @typedef {import("../exports.js").Published} Published
  * @typedef {import("../plot/publication.js").Publication} Publication
- * @typedef {{figures: Published[], call: string, name: string, save: (name: string, blob: Blob) => void}} Task
+ * @typedef {object} Task
+ * @property {Published[]} figures
+ * @property {string} call a part of the REST call that they show
+ * @property {import("./media.js").Behind} behind
+ * @property {string} name of the files
+ * @property {(name: string, blob: Blob) => void} save
  */
 
 const GROUNDS = /** @type {const} */ ([
@@ -25,7 +31,11 @@ const REST = 250; // ms without a change before the preview is drawn
 
 function createDialog() {
   /** @type {Task} */
-  let task = { figures: [], call: "", name: "", save: () => {} };
+  let task = { figures: [], call: "", behind: {}, name: "", save: () => {} };
+  /** A figure's own words and what was made of them. @type {Map<string, string>} */
+  const edited = new Map();
+  /** What is missing in the sheet, if anything is. */
+  let missing = "";
   const ground = h(
     "select",
     { name: "ground" },
@@ -37,9 +47,18 @@ function createDialog() {
     input: h("input", { type: "number", name, value, min, max, step: "any", required: true }),
   }));
   const withCaption = h("input", { type: "checkbox", name: "captioned", checked: true });
-  const words = h("textarea", { name: "caption", rows: 7, "aria-label": "Text of the caption" });
+  /** A text for each figure. @type {HTMLTextAreaElement[]} */
+  let words = [];
+  const captions = h("div", { class: "publish-captions" });
   const trouble = h("p", { class: "row-error", role: "alert" });
   const preview = h("div", { class: "publish-preview" });
+  const saves = /** @type {const} */ (["svg", "png"]).map((format) =>
+    h(
+      "button",
+      { type: "button", onclick: () => void take(format) },
+      format === "svg" ? "Save as SVG" : "Save as PNG, 600 dpi",
+    ),
+  );
   const close = h("button", { type: "button", onclick: () => dialog.close() }, "Close");
   const form = h(
     "form",
@@ -51,21 +70,10 @@ function createDialog() {
       ...boxes.map(({ label, input }) => h("label", {}, h("span", {}, label), input)),
     ),
     h("label", { class: "publish-caption" }, withCaption, "Caption below the figure"),
-    words,
+    captions,
     trouble,
     preview,
-    h(
-      "div",
-      { class: "publish-actions" },
-      ...["svg", "png"].map((format) =>
-        h(
-          "button",
-          { type: "button", onclick: () => take(/** @type {"svg" | "png"} */ (format)) },
-          format === "svg" ? "Save as SVG" : "Save as PNG, 600 dpi",
-        ),
-      ),
-      close,
-    ),
+    h("div", { class: "publish-actions" }, ...saves, close),
   );
   const dialog = h(
     "dialog",
@@ -75,7 +83,7 @@ function createDialog() {
   );
   document.body.append(dialog);
 
-  /** @returns {Publication | null} what is asked for, or null where it cannot be */
+  /** @returns {Omit<Publication, "caption"> | null} what is asked for, or null where it cannot be */
   function asked() {
     const [width_mm = 0, height_mm = 0, font_pt = 0] = boxes.map(
       ({ input }) => input.valueAsNumber,
@@ -86,28 +94,50 @@ function createDialog() {
       width_mm,
       height_mm,
       font_pt,
-      caption: withCaption.checked ? words.value.split("\n") : [],
     };
+    const beside = Math.max(0, ...task.figures.map((figure) => figure.beside ?? 0));
     const problem = wrong
       ? `${wrong.label}: ${wrong.input.min} to ${wrong.input.max}`
-      : tooSmall(publication);
+      : tooSmall(publication, beside);
     for (const { input } of boxes)
       input.setAttribute("aria-invalid", String(!input.validity.valid));
-    setText(trouble, problem);
+    setText(trouble, problem || missing);
     return problem ? null : publication;
   }
 
-  /** @param {"svg" | "png"} format @param {Publication} publication */
-  const made = (format, publication) =>
-    Promise.all(task.figures.map((figure) => figure.exportAs(format, publication)));
+  /**
+   * @param {"svg" | "png"} format
+   * @param {Omit<Publication, "caption">} publication
+   * @returns {Promise<Blob[] | null>} null, with the reason in the sheet, where it cannot be made
+   */
+  async function made(format, publication) {
+    const { width_mm, height_mm } = publication;
+    const texts = words.map(({ value }) => (withCaption.checked ? value.split("\n") : []));
+    try {
+      return await Promise.all(
+        task.figures.map((figure, i) =>
+          figure.exportAs(format, { ...publication, caption: texts[i] ?? [] }),
+        ),
+      );
+    } catch {
+      setText(
+        trouble,
+        format === "png"
+          ? `This browser cannot make a PNG of ${width_mm} × ${height_mm} mm at 600 dpi: make it smaller, or save it as SVG.`
+          : "The figure cannot be drawn.",
+      );
+      return null;
+    }
+  }
 
   /** @param {"svg" | "png"} format */
   async function take(format) {
     const publication = asked();
     if (!publication) return;
-    const blobs = await made(format, publication);
+    const { name, save } = task;
+    const blobs = (await made(format, publication)) ?? [];
     blobs.forEach((blob, i) => {
-      task.save(`${task.name}${blobs.length > 1 ? `-${i + 1}` : ""}-print.${format}`, blob);
+      save(`${name}${blobs.length > 1 ? `-${i + 1}` : ""}-print.${format}`, blob);
     });
   }
 
@@ -116,10 +146,10 @@ function createDialog() {
     turn += 1;
     const own = turn;
     const publication = asked();
-    words.hidden = !withCaption.checked;
+    captions.hidden = !withCaption.checked;
     if (!publication) return;
     const blobs = await made("svg", publication);
-    if (own !== turn) return;
+    if (own !== turn || !blobs) return;
     const pictures = blobs.map((blob) => {
       const src = URL.createObjectURL(blob);
       const forget = () => URL.revokeObjectURL(src);
@@ -139,31 +169,64 @@ function createDialog() {
     void show();
   });
 
+  /** @param {boolean} loading the captions cannot be edited or saved before they are there */
+  function wait(loading) {
+    for (const one of [...words, ...saves]) one.disabled = loading;
+    for (const one of words) one.placeholder = loading ? "Looking up the sources…" : "";
+  }
+
+  /** @param {Task} next */
+  function prepare(next) {
+    task = next;
+    turn += 1; // a preview that is still being drawn is of another figure
+    missing = "";
+    clearTimeout(waiting);
+    preview.replaceChildren();
+    words = next.figures.map((_, i) =>
+      h("textarea", {
+        name: "caption",
+        rows: 7,
+        "aria-label": `Text of the caption${next.figures.length > 1 ? ` ${i + 1}` : ""}`,
+      }),
+    );
+    captions.replaceChildren(...words);
+    wait(true);
+    asked();
+  }
+
+  /** @param {Task} next @returns {Promise<string[]>} */
+  function captionsOf({ figures, call: part, behind }) {
+    const calls = [...document.querySelectorAll("#calls code")].map((code) =>
+      (code.textContent ?? "").replace(/^GET \/api\/v1/u, ""),
+    );
+    const page = {
+      call: calls.find((call) => call.includes(part)) ?? "",
+      href: location.href,
+      version: (document.querySelector("#version")?.textContent ?? "").replace(/^v/u, ""),
+    };
+    return Promise.all(
+      figures.map((figure) => captionOf(figure.about(), mediaBehind(behind), page)),
+    );
+  }
+
   return {
     /** @param {Task} next */
     async open(next) {
-      task = next;
-      preview.replaceChildren();
+      prepare(next);
       dialog.showModal();
-      const calls = [...document.querySelectorAll("#calls code")].map((code) =>
-        (code.textContent ?? "").replace(/^GET \/api\/v1/u, ""),
-      );
-      const page = {
-        call: calls.find((call) => call.includes(task.call)) ?? "",
-        href: location.href,
-        version: (document.querySelector("#version")?.textContent ?? "").replace(/^v/u, ""),
-      };
-      try {
-        words.value = await captionOf(
-          task.figures.map((figure) => figure.about()),
-          page,
-        );
-      } catch {
-        words.value = "";
-        withCaption.checked = false;
-      }
+      const texts = await captionsOf(next).catch(() => null);
+      if (task !== next) return; // another figure's sheet is open by now
+      words.forEach((one, i) => {
+        const text = texts?.[i] ?? "";
+        one.value = edited.get(text) ?? text;
+        one.addEventListener("input", () => {
+          missing = "";
+          if (text) edited.set(text, one.value);
+        });
+      });
+      if (!texts) missing = "The sources cannot be had: is the server running?";
+      wait(false);
       await show();
-      if (!words.value) setText(trouble, "The sources cannot be had: is the server running?");
     },
   };
 }

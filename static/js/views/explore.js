@@ -86,7 +86,11 @@ export function createView({
     what: "the plot",
     name: () => "fresnel-curves",
     make: (kind) => plot.exportAs(kind),
-    print: { figures: () => [plot], call: "/curves" },
+    print: {
+      figures: () => [plot],
+      call: "/curves",
+      behind: () => ({ state: now, indices: ["n_i", "n_t", "k_t"] }),
+    },
     save,
   });
 
