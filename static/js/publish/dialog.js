@@ -34,8 +34,8 @@ function createDialog() {
   let task = { figures: [], call: "", behind: {}, name: "", save: () => {} };
   /** A figure's own words and what was made of them. @type {Map<string, string>} */
   const edited = new Map();
-  /** What is missing in the sheet, if anything is. */
-  let missing = "";
+  /** What went wrong, until something is changed. */
+  let failure = "";
   const ground = h(
     "select",
     { name: "ground" },
@@ -101,7 +101,7 @@ function createDialog() {
       : tooSmall(publication, beside);
     for (const { input } of boxes)
       input.setAttribute("aria-invalid", String(!input.validity.valid));
-    setText(trouble, problem || missing);
+    setText(trouble, problem || failure);
     return problem ? null : publication;
   }
 
@@ -120,12 +120,11 @@ function createDialog() {
         ),
       );
     } catch {
-      setText(
-        trouble,
+      failure =
         format === "png"
           ? `This browser cannot make a PNG of ${width_mm} × ${height_mm} mm at 600 dpi: make it smaller, or save it as SVG.`
-          : "The figure cannot be drawn.",
-      );
+          : "The figure cannot be drawn.";
+      setText(trouble, failure);
       return null;
     }
   }
@@ -161,6 +160,7 @@ function createDialog() {
 
   let waiting = 0;
   form.addEventListener("input", () => {
+    failure = "";
     clearTimeout(waiting);
     waiting = window.setTimeout(() => void show(), REST);
   });
@@ -179,7 +179,7 @@ function createDialog() {
   function prepare(next) {
     task = next;
     turn += 1; // a preview that is still being drawn is of another figure
-    missing = "";
+    failure = "";
     clearTimeout(waiting);
     preview.replaceChildren();
     words = next.figures.map((_, i) =>
@@ -220,11 +220,10 @@ function createDialog() {
         const text = texts?.[i] ?? "";
         one.value = edited.get(text) ?? text;
         one.addEventListener("input", () => {
-          missing = "";
           if (text) edited.set(text, one.value);
         });
       });
-      if (!texts) missing = "The sources cannot be had: is the server running?";
+      if (!texts) failure = "The sources cannot be had: is the server running?";
       wait(false);
       await show();
     },
