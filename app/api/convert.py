@@ -8,9 +8,10 @@ from typing import Annotated, Any
 import numpy as np
 from fastapi import APIRouter, Query
 from pydantic import BaseModel, BeforeValidator, Field, WithJsonSchema
+from pydantic_core import PydanticCustomError
 
 from app.api.answers import Answer
-from app.api.params import InterfaceQuery, Number, TableQuery, number
+from app.api.params import InterfaceQuery, Number, TableQuery, number, plain
 from app.api.presets import preset_json
 from app.api.problems import BadParameters, ParameterError
 from app.api.responses import CONVENTION, json_body
@@ -43,11 +44,9 @@ def _numbers(text: object) -> object:
     """Split three comma-separated numbers."""
     if not isinstance(text, str):
         return text
-    if "_" in text:
-        raise ValueError("a number has no underscore")
-    parts = tuple(text.split(","))
+    parts = tuple(plain(part) for part in text.split(","))
     if len(parts) not in (1, 3):
-        raise ValueError("one number, or three separated by commas")
+        raise PydanticCustomError("numbers", "one number, or three separated by commas")
     return parts[0] if len(parts) == 1 else parts
 
 

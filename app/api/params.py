@@ -36,11 +36,19 @@ MAX_SAMPLES = 20001
 def plain(text: object) -> object:
     """Refuse what Python reads as a number though no one writes it, 1_5 for 15; read -0 as 0."""
     if isinstance(text, str):
-        if "_" in text:
+        if "_" in text and _is_number(text.replace("_", "")):
             raise PydanticCustomError("number", "a number has no underscore")
         if text.startswith("-") and _ZERO.fullmatch(text):
             return "0"
     return text
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 Number = Annotated[float, BeforeValidator(plain)]

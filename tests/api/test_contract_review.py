@@ -103,3 +103,9 @@ def test_a_triple_out_of_bounds_names_them(ask: Ask, value: str) -> None:
 def test_what_is_no_number_is_said_plainly(ask: Ask) -> None:
     (error,) = ask("/snell", n_t="1_5").json()["errors"]
     assert error["message"] == "a number has no underscore; allowed: 0.001 to 100.0"
+    (error,) = ask("/convert", **{"from": "f0", "F0": "1,0_1,0"}).json()["errors"]
+    assert error["message"].startswith("a number has no underscore")
+    for text in ("1.5;n_i=2", "n_t", "_", "1,n_i,2"):
+        for target, given in (("/snell", {"n_t": text}), ("/convert", {"from": "f0", "F0": text})):
+            for error in ask(target, **given).json()["errors"]:
+                assert "underscore" not in error["message"]
