@@ -29,7 +29,7 @@ class LingeringTransport:
         self._transport = transport
         self._is_expecting = is_expecting
         self._patience_s = patience_s
-        self._lingers = False
+        self._lingers: asyncio.TimerHandle | None = None
         self.write = transport.write  # for every answer: not looked up again
 
     def __getattr__(self, name: str) -> Any:
@@ -38,7 +38,7 @@ class LingeringTransport:
 
     def is_closing(self) -> bool:
         """Whether nothing will be written any more."""
-        return self._lingers or self._transport.is_closing()
+        return self._lingers is not None or self._transport.is_closing()
 
     def close(self) -> None:
         """Send what was written, then hang up."""
@@ -47,7 +47,13 @@ class LingeringTransport:
         if not self._is_expecting():
             self._transport.close()
             return
-        self._lingers = True
+        later = asyncio.get_running_loop().call_later
+        self._lingers = later(self._patience_s, self._transport.close)
         self._transport.write_eof()
         self._transport.resume_reading()
-        asyncio.get_running_loop().call_later(self._patience_s, self._transport.close)
+
+    def linger_no_longer(self) -> None:
+        """Hang up if that is all that is left to do."""
+        if self._lingers is not None:
+            self._lingers.cancel()
+            self._transport.close()

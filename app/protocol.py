@@ -94,8 +94,9 @@ class BoundedProtocol(HttpToolsProtocol):
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Take a connection, if there is room for one more."""
-        lingering = LingeringTransport(transport, self._is_expecting, self._settings.read_timeout_s)
-        super().connection_made(cast("asyncio.Transport", lingering))
+        patience_s = self._settings.read_timeout_s
+        self._lingering = LingeringTransport(transport, self._is_expecting, patience_s)
+        super().connection_made(cast("asyncio.Transport", self._lingering))
         most = self._settings.max_connections
         if len(self.connections) > most + _SPARE_CONNECTIONS:
             transport.abort()
@@ -109,6 +110,12 @@ class BoundedProtocol(HttpToolsProtocol):
         super().connection_lost(exc)
         self._stop_reading()
         self._stop_writing()
+        self._lingering.linger_no_longer()
+
+    def shutdown(self) -> None:
+        """Hang up when what is in flight is answered; one that was told all is not waited for."""
+        super().shutdown()
+        self._lingering.linger_no_longer()
 
     def eof_received(self) -> bool:  # type: ignore[override]
         """Answer what a client has asked that says no more, then hang up."""

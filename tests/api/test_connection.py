@@ -141,6 +141,21 @@ def test_one_too_many_may_send_its_request() -> None:
         assert hung_up_without_a_word(last)
 
 
+def test_a_server_that_stops_waits_for_nobody_who_was_told_all() -> None:
+    """The client was refused and neither reads on nor hangs up: that may take its whole patience."""
+    settings = Settings(max_target_bytes=200, read_timeout_s=600)
+    with ExitStack() as held:
+        with served(settings=settings) as patient:
+            told = held.enter_context(socket.create_connection(patient, timeout=PATIENCE_S))
+            told.sendall(b"GET /" + b"x" * 1000)
+            assert told.recv(1, socket.MSG_PEEK)
+            timer = threading.Timer(PATIENCE_S, told.close)  # or this test would take as long
+            timer.start()
+        stopped_by_itself = timer.is_alive()
+        timer.cancel()
+        assert stopped_by_itself
+
+
 def hung_up_without_a_word(connection: socket.socket) -> bool:
     try:
         return connection.recv(1) == b""
