@@ -1,5 +1,6 @@
 /** The sheet where a figure is fitted to a paper or a slide: ground, size, letters, caption, and a preview. */
 
+import { load } from "../api.js";
 import { h, setText } from "../dom.js";
 import { tooSmall } from "../plot/publication.js";
 import { loadStyle } from "../style.js";
@@ -195,14 +196,14 @@ function createDialog() {
   }
 
   /** @param {Task} next @returns {Promise<string[]>} */
-  function captionsOf({ figures, call: part, behind }) {
+  async function captionsOf({ figures, call: part, behind }) {
     const calls = [...document.querySelectorAll("#calls code")].map((code) =>
       (code.textContent ?? "").replace(/^GET \/api\/v1/u, ""),
     );
     const page = {
       call: calls.find((call) => call.includes(part)) ?? "",
       href: location.href,
-      version: (document.querySelector("#version")?.textContent ?? "").replace(/^v/u, ""),
+      version: (await load("/health")).version,
     };
     return Promise.all(
       figures.map((figure) => captionOf(figure.about(), mediaBehind(behind), page)),
