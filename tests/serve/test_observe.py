@@ -238,7 +238,7 @@ class TestRefusedBeforehand:
         "FRESNEL_MAX_TARGET_BYTES": "200",
         "FRESNEL_MAX_CONNECTIONS": "3",
         "FRESNEL_KEEP_ALIVE_S": "600",
-        "FRESNEL_READ_TIMEOUT_S": "0.2",
+        "FRESNEL_READ_TIMEOUT_S": "2",
     }
     HEAD = b" HTTP/1.1\r\nHost: test\r\nX-Request-ID: mine\r\n"
     REQUESTS = (

@@ -7,6 +7,9 @@ import { plain } from "../format.js";
 import { clamp, snap, stepped } from "../snap.js";
 
 const ROUNDING = 1e-12;
+
+/** A printed number without its unit. @param {string} text */
+const bare = (text) => text.replace(/[°\s]|rad/gu, "");
 const SPEEDS = [0.25, 0.5, 1, 2, 4];
 const SNAP = 0.015; // of the slider's span
 
@@ -175,7 +178,8 @@ export function createRow({
       // A bound may be typed as it is shown, such as 1.5708 rad, or miss it by its rounding: pi/2.
       const text = box.value.trim();
       const bound = write.print(typed);
-      if (typed !== asked && text !== bound && Math.abs(asked - typed) > ROUNDING * typed) {
+      const isBound = bare(text) === bare(bound) || Math.abs(asked - typed) < ROUNDING * typed;
+      if (typed !== asked && !isBound) {
         const printed = write.print(asked);
         const said = printed === bound ? text : printed;
         complain(`${parameter.name} = ${said} is outside ${write.allowed()}`);

@@ -112,8 +112,12 @@ export function createBrowser({ catalog, actions, onPick }) {
     );
   }
 
-  /** @param {string} find @param {string[]} ids */
+  let suggested = "";
+  /** A button that is being pressed stays the same. @param {string} find @param {string[]} ids */
   function suggest(find, ids) {
+    const asked = JSON.stringify([find, ids]);
+    if (asked === suggested) return;
+    suggested = asked;
     suggestions.replaceChildren(
       `Nothing is called “${find.trim()}”.`,
       ...(ids.length ? [" Did you mean "] : []),
