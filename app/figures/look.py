@@ -30,7 +30,7 @@ _OWN = {
     "complex_dielectric": (5, "12px 4px"),
     "lazanyi2005": (2, "longdash"),
     "schlick_tir": (3, "dashdot"),
-    "spherical_gaussian": (6, "dot"),
+    "spherical_gaussian": (6, "dashdot"),
     "generalized_schlick": (3, "longdash"),
     "hoffman_f82": (4, "8px 3px 2px 3px"),
     "f82_tint": (2, "dot"),
