@@ -247,7 +247,7 @@ def test_exports_and_tables_hold_the_numbers(quiet_page: Page) -> None:
 def test_a_fit_that_there_is_not_is_refused_where_it_stands(page: Page) -> None:
     page.goto("/?view=albedo&fits=deon_2019")
     trouble = page.locator(".albedos .trouble")
-    expect(trouble).to_contain_text("fits = 'deon_2019'", timeout=READY_MS)
+    expect(trouble).to_contain_text("fits = deon_2019", timeout=READY_MS)
     trouble.get_by_role("button").click()
     page.locator(".albedos path.js-line").first.wait_for(state="attached", timeout=READY_MS)
     expect(trouble.locator(".row-error")).to_have_text("")
