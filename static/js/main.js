@@ -245,24 +245,26 @@ async function start() {
   let keeper = null;
   const onScreen = () => Object.values(answers.asked ?? {}).map((path) => `${BASE}${path}`);
 
-  async function keep() {
+  /** @param {Promise<void>} work that the page can do without, being left or without its server */
+  const quietly = (work) => void work.catch(() => {});
+  function rest() {
     stopWaiting();
-    void import("./print.js").then(({ preparePrint }) => preparePrint());
+    quietly(import("./print.js").then(({ preparePrint }) => preparePrint()));
     if (state.get().embed) return; // it is a guest there
-    void load("/health").then(
-      (health) => shell.showVersion(health.version),
-      () => {},
-    );
+    quietly(load("/health").then((health) => shell.showVersion(health.version)));
+    quietly(keep());
+  }
+  async function keep() {
     const offline = await import("./offline.js");
     await offline.keepPage();
     keeper = offline;
     const start = ["/parameters", MODELS, MATERIALS].map((path) => `${BASE}${path}`);
     await keeper.keepAnswers([...start, ...onScreen()]);
   }
-  let resting = setTimeout(keep, KEEP_AFTER);
+  let resting = setTimeout(rest, KEEP_AFTER);
   const stopWaiting = state.subscribe(() => {
     clearTimeout(resting);
-    resting = setTimeout(keep, KEEP_AFTER);
+    resting = setTimeout(rest, KEEP_AFTER);
   });
 
   /** @param {string} name */

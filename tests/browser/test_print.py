@@ -83,3 +83,15 @@ def test_a_sheet_comes_out(dark_page: Page) -> None:
     expect(dark_page.locator("html")).to_have_attribute("data-theme", "dark")
     curve = dark_page.locator(".plot-host path.js-line").first
     expect(curve).to_have_css("stroke", "rgb(86, 180, 233)")
+
+
+def test_a_page_that_cannot_fetch_it_says_nothing(page: Page) -> None:
+    """As when it is left, or its server is gone, in the moment after it has rested."""
+    uncaught: list[str] = []
+    page.on("pageerror", lambda error: uncaught.append(str(error)))
+    page.route("**/js/print.js", lambda route: route.abort())
+    page.route("**/api/v1/health", lambda route: route.abort())
+    with page.expect_event("requestfailed", lambda request: "print.js" in request.url):
+        page.goto("/")
+    page.evaluate("() => new Promise((done) => setTimeout(done, 500))")
+    assert uncaught == []
