@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from pathlib import Path
 
 from playwright.sync_api import Browser
@@ -33,6 +34,13 @@ def draw(browser: Browser, side: int, share: float, target: Path) -> None:
     page.close()
 
 
+def wrap(picture: bytes, side: int) -> bytes:
+    """Give a PNG the header of an ICO, which is asked for at /favicon.ico whatever a page says."""
+    header = struct.pack("<3H", 0, 1, 1)
+    entry = struct.pack("<4B2H2I", side, side, 0, 0, 1, 32, len(picture), len(header) + 16)
+    return header + entry + picture
+
+
 def main() -> None:
     """Draw all icons."""
     folder = STATIC / "icons"
@@ -41,6 +49,8 @@ def main() -> None:
         for name, side, share in ICONS:
             draw(browser, side, share, folder / name)
             print(f"static/icons/{name}: {(folder / name).stat().st_size:,} bytes")
+    name, side, _ = ICONS[0]
+    (STATIC / "favicon.ico").write_bytes(wrap((folder / name).read_bytes(), side))
 
 
 if __name__ == "__main__":

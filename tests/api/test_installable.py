@@ -102,6 +102,13 @@ def test_each_icon_is_as_large_as_is_said(app: FastAPI) -> None:
             assert f"{width}x{height}" == sizes
 
 
+def test_an_icon_is_where_browsers_look_that_read_no_page(app: FastAPI) -> None:
+    answer = send(app, b"/favicon.ico")
+    assert answer.status == 200
+    assert answer.headers["content-type"].startswith("image/")
+    assert answer.body.endswith((STATIC / "icons" / "icon-192.png").read_bytes())
+
+
 def test_no_mask_cuts_off_any_of_the_mark() -> None:
     (name,) = [icon["src"] for icon in manifest()["icons"] if icon.get("purpose") == "maskable"]
     side, _, rows, planes = pixels(STATIC / name)

@@ -112,7 +112,7 @@ def quiet_page(page: Page, server_url: str) -> Iterator[Page]:
     def note_console(message: ConsoleMessage) -> None:
         if GRAPHICS_REMARK in message.text or KEEPING_REMARK in message.text:
             return
-        noise.append(f"console {message.type}: {message.text}")
+        noise.append(f"console {message.type}: {message.text} {message.location}")
 
     def note_request(request: Request) -> None:
         address = urlsplit(request.url)
