@@ -13,6 +13,18 @@ import { h } from "./dom.js";
  */
 
 /**
+ * Save one file, or several that are told apart by their numbers.
+ * @param {(name: string, blob: Blob) => void} save
+ * @param {readonly Blob[]} blobs
+ * @param {(part: string) => string} name with what tells the part
+ */
+export function saveEach(save, blobs, name) {
+  blobs.forEach((blob, i) => {
+    save(name(blobs.length > 1 ? `-${i + 1}` : ""), blob);
+  });
+}
+
+/**
  * @param {object} options
  * @param {string} options.what such as "the curves"
  * @param {() => string} options.name of the file, without ending
@@ -25,10 +37,7 @@ import { h } from "./dom.js";
 export function createExports({ what, name, make, save, print }) {
   /** @param {Format} kind */
   async function take(kind) {
-    const made = [await make(kind)].flat();
-    made.forEach((blob, i) => {
-      save(`${name()}${made.length > 1 ? `-${i + 1}` : ""}.${kind}`, blob);
-    });
+    saveEach(save, [await make(kind)].flat(), (part) => `${name()}${part}.${kind}`);
   }
   return h(
     "p",

@@ -2,6 +2,7 @@
 
 import { load } from "../api.js";
 import { h, setText } from "../dom.js";
+import { saveEach } from "../exports.js";
 import { tooSmall } from "../plot/publication.js";
 import { loadStyle } from "../style.js";
 import { captionOf } from "./caption.js";
@@ -136,9 +137,7 @@ function createDialog() {
     if (!publication) return;
     const { name, save } = task;
     const blobs = (await made(format, publication)) ?? [];
-    blobs.forEach((blob, i) => {
-      save(`${name}${blobs.length > 1 ? `-${i + 1}` : ""}-print.${format}`, blob);
-    });
+    saveEach(save, blobs, (part) => `${name}${part}-print.${format}`);
   }
 
   let turn = 0;
