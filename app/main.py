@@ -24,24 +24,24 @@ from app.api import (
     lut,
     materials,
     models,
-    problems,
     recommend,
     shaders,
     snell,
 )
 from app.api.table import RouteTable
-from app.cache import AnswerCache
-from app.drain import Drain
-from app.front import Front
-from app.memory import share_one_heap
-from app.observe.access_log import AccessLog
-from app.observe.metrics import Metrics
-from app.observe.middleware import Observed
-from app.observe.route import metrics_router
+from app.http import problems
+from app.http.cache import AnswerCache
+from app.http.front import Front
+from app.http.middleware import Fallback, HeadAsGet, KnownHosts, OpenToOtherPages
 from app.optics.registry import Registry, default_registry
-from app.page import Page, SecurityHeaders
-from app.pool import Pool
-from app.routing import Fallback, HeadAsGet, KnownHosts, OpenToOtherPages
+from app.page.files import Page, SecurityHeaders
+from app.server.drain import Drain
+from app.server.memory import share_one_heap
+from app.server.observe.access_log import AccessLog
+from app.server.observe.metrics import Metrics
+from app.server.observe.middleware import Observed
+from app.server.observe.route import metrics_router
+from app.server.pool import Pool
 from app.settings import Settings
 
 _DESCRIPTION = """

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import ExitStack
 
-from app.server import allow_open_files
+from app.server.run import allow_open_files
 from benchmarks.evaluate import json_items, seconds
 from benchmarks.load import OURS, Server, served
 

@@ -18,7 +18,7 @@ from typing import cast
 CONNECTIONS = 4
 """Enough that the next request waits for the server, and not the server for it."""
 
-OURS = ("-c", "from app.cli import main; main()", "serve", "--port")
+OURS = ("-c", "from app.cli.main import main; main()", "serve", "--port")
 """Arguments of Python that serve this program as its command does, on the port that follows."""
 
 

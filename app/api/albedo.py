@@ -18,7 +18,6 @@ from app.api.model_parameters import (
     with_model_parameters,
 )
 from app.api.params import InterfaceQuery, Number, TableQuery, number
-from app.api.problems import MissingResource
 from app.api.responses import (
     CONVENTION,
     csv_body,
@@ -26,7 +25,9 @@ from app.api.responses import (
     json_body,
     number_or_null,
 )
-from app.api.route import QueryRoute
+from app.http.body import ReadyBody
+from app.http.problems import MissingResource
+from app.http.route import QueryRoute
 from app.optics.albedo import (
     BODY_ALBEDO,
     FITS,
@@ -46,7 +47,6 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import THETA_I_DEG, Array
 from app.optics.registry import Model, Registry
-from app.ready import ReadyBody
 
 
 class AlbedoQuery(TableQuery, InterfaceQuery):

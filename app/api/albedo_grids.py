@@ -22,7 +22,8 @@ from app.api.model_parameters import (
 from app.api.params import Count, InterfaceQuery, Number, TableQuery, number
 from app.api.presets import PresetInterface, preset_json
 from app.api.responses import CONVENTION, csv_body, json_body
-from app.api.route import QueryRoute
+from app.http.body import ReadyBody
+from app.http.route import QueryRoute
 from app.optics.albedo import (
     Albedo,
     Fit,
@@ -36,7 +37,6 @@ from app.optics.errors import NotAllowed, OutOfRange
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, Array
 from app.optics.registry import Model, Registry
-from app.ready import ReadyBody
 
 MOST_STEPS = 20_001
 MOST_CELLS = 250_000

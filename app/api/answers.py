@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from functools import partial
 
-from app.ready import ReadyBody
+from app.http.body import ReadyBody
 
 Large = partial[ReadyBody]
-"""A computation that others should not wait for: it is called in a thread, see `app.pool`."""
+"""A computation that others should not wait for: it is called in a thread, see `app.server.pool`."""
 
 Answer = ReadyBody | Large

@@ -12,9 +12,7 @@ from pydantic import BaseModel, Field
 from app.api import PREFIX
 from app.api.answers import Answer, Large
 from app.api.params import DigitsQuery
-from app.api.problems import MissingResource
 from app.api.responses import json_body
-from app.api.route import QueryRoute
 from app.api.table import RouteTable
 from app.claims import (
     Claim,
@@ -26,7 +24,9 @@ from app.claims import (
     claims_of,
     find_claim,
 )
-from app.ready import ReadyBody
+from app.http.body import ReadyBody
+from app.http.problems import MissingResource
+from app.http.route import QueryRoute
 
 
 class ClaimsQuery(DigitsQuery):

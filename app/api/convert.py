@@ -13,10 +13,10 @@ from pydantic_core import PydanticCustomError
 from app.api.answers import Answer
 from app.api.params import InterfaceQuery, Number, TableQuery, number, plain
 from app.api.presets import preset_json
-from app.api.problems import BadParameters, ParameterError
 from app.api.responses import CONVENTION, json_body
-from app.api.route import QueryRoute
 from app.api.row_table import rows_csv_body
+from app.http.problems import BadParameters, ParameterError
+from app.http.route import QueryRoute
 from app.optics.conversions import (
     F0_LINEAR,
     F0_SRGB,

@@ -26,8 +26,9 @@ from app.api.responses import (
     interface_json,
     json_body,
 )
-from app.api.route import QueryRoute
 from app.api.schemas import CurvesOut
+from app.http.body import ReadyBody
+from app.http.route import QueryRoute
 from app.optics.amplitudes import amplitudes, phase_deg, power
 from app.optics.angles import LANDMARKS
 from app.optics.incidence import Incidence
@@ -35,7 +36,6 @@ from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.optics.registry import Model, Registry
 from app.optics.snell import penetration_depth_wavelengths, refraction_angle_deg
-from app.ready import ReadyBody
 
 # Above this many values a curve is computed in a thread, so that other requests are answered
 # meanwhile; below it the hand-over would cost more than the curve.

@@ -19,7 +19,8 @@ from app.api.model_parameters import (
 )
 from app.api.params import Count, InterfaceQuery, Number, TableQuery
 from app.api.responses import CONVENTION, csv_body, json_body
-from app.api.route import QueryRoute
+from app.http.body import ReadyBody
+from app.http.route import QueryRoute
 from app.optics.errors import NotAllowed, OutOfRange
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
@@ -34,7 +35,6 @@ from app.optics.metrics import (
 )
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, Array
 from app.optics.registry import Model, Registry
-from app.ready import ReadyBody
 
 MOST_STEPS = 2001
 MOST_CELLS = 250_000

@@ -22,14 +22,14 @@ from app.api.model_parameters import (
 )
 from app.api.params import InterfaceQuery, SamplesQuery, TableQuery
 from app.api.responses import CONVENTION, csv_body, interface_json, json_body
-from app.api.route import QueryRoute
 from app.api.row_table import rows_csv_body
+from app.http.body import ReadyBody
+from app.http.route import QueryRoute
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.metrics import METRICS, measure, point_error
 from app.optics.parameters import Array
 from app.optics.registry import Model, Registry
-from app.ready import ReadyBody
 
 COLUMNS = ["model", "quantity", "in_domain", "reason", *METRICS, "albedo_error"]
 

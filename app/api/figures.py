@@ -21,11 +21,11 @@ from app.api import PREFIX
 from app.api.answers import Answer, Large
 from app.api.params import AngleQuery, Count, Number, QueryModel, preset_name
 from app.api.responses import json_body, shown_as
-from app.api.route import QueryRoute
 from app.api.table import RouteTable
 from app.figures.look import Ground, Look, Theme, theme_colors
 from app.figures.render import MEDIA_TYPES, NoPictures, page, picture, policy
-from app.ready import ReadyBody
+from app.http.body import ReadyBody
+from app.http.route import QueryRoute
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go

@@ -13,17 +13,17 @@ from pydantic import BaseModel, Field
 
 from app.api.answers import Answer, Large
 from app.api.params import Count, Number, QueryModel, TableQuery
-from app.api.problems import BadParameters, MissingResource, ParameterError
 from app.api.responses import csv_body, json_body
-from app.api.route import QueryRoute
 from app.api.schemas import ParameterOut
+from app.http.body import ReadyBody
+from app.http.problems import BadParameters, MissingResource, ParameterError
+from app.http.route import QueryRoute
 from app.optics.formula import Formula
 from app.optics.formulas import CONVENTIONS, Formulas, UnknownFormula, symbols_of
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, Parameter
 from app.optics.registry import Registry
 from app.optics.sources import links
-from app.ready import ReadyBody
 
 MAX_CURVE_SAMPLES = 2001
 _NUMBERS = (N_I, N_T, K_T)

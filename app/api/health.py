@@ -9,11 +9,11 @@ import orjson
 from fastapi import APIRouter
 
 from app import __version__
-from app.api.route import QueryRoute
 from app.api.schemas import HealthOut, StatusOut
-from app.drain import Drain
-from app.pool import Overloaded
-from app.ready import ReadyBody
+from app.http.body import ReadyBody
+from app.http.route import QueryRoute
+from app.server.drain import Drain
+from app.server.pool import Overloaded
 
 _LIBRARIES = {
     name: version(name) for name in ("fastapi", "numpy", "orjson", "pydantic", "scipy", "uvicorn")

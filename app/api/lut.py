@@ -28,8 +28,9 @@ from app.api.model_parameters import (
 from app.api.params import Count, InterfaceQuery, Number
 from app.api.presets import reported_as
 from app.api.responses import CONVENTION, csv_body, interface_json, json_body, shown_as
-from app.api.route import QueryRoute
 from app.api.schemas import InterfaceOut
+from app.http.body import ReadyBody
+from app.http.route import QueryRoute
 from app.materials import default_catalog
 from app.materials.appearance import color_curve
 from app.optics.albedo import albedo
@@ -38,7 +39,6 @@ from app.optics.incidence import Incidence
 from app.optics.lookup import Depth, TableError, line_error, quantize, sheet_error
 from app.optics.parameters import Array
 from app.optics.registry import Model, Registry
-from app.ready import ReadyBody
 
 MOST_TEXELS = 4096
 ERROR_HEADER = "Interpolation-Error"

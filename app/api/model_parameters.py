@@ -20,7 +20,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from app.api.params import Count, Number, QueryModel, number
-from app.api.problems import BadParameters, ParameterError
+from app.http.problems import BadParameters, ParameterError
 from app.optics.errors import NotAllowed
 from app.optics.parameters import Parameter
 from app.optics.registry import Model, Registry

@@ -12,15 +12,15 @@ from pydantic import Field
 
 from app.api.answers import Answer
 from app.api.params import QueryModel
-from app.api.problems import MissingResource
 from app.api.responses import json_body
-from app.api.route import QueryRoute
 from app.api.schemas import ModelOut, ModelsOut, ParametersOut
 from app.api.shaders import shader_url
+from app.http.body import ReadyBody
+from app.http.problems import MissingResource
+from app.http.route import QueryRoute
 from app.optics.errors import NotAllowed, UnknownModel
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG
 from app.optics.registry import Model, Registry
-from app.ready import ReadyBody
 
 
 class ModelsQuery(QueryModel):

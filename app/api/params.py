@@ -17,7 +17,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from app.api.presets import PresetInterface, reported_as
-from app.api.problems import BadParameters, ParameterError
+from app.http.problems import BadParameters, ParameterError
 from app.materials import (
     USELESS_WAVELENGTH,
     Resolved,

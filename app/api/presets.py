@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from app.api.problems import BadParameters, given
+from app.http.problems import BadParameters, given
 from app.materials import Resolved
 from app.optics.errors import OpticsError
 from app.optics.interface import Interface

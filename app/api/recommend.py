@@ -12,13 +12,13 @@ from app.api.answers import Answer, Large
 from app.api.error_schemas import MEASURE, RecommendationOut, figures_json
 from app.api.params import InterfaceQuery, Number, TableQuery
 from app.api.responses import CONVENTION, interface_json, json_body
-from app.api.route import QueryRoute
 from app.api.row_table import rows_csv_body
+from app.http.body import ReadyBody
+from app.http.route import QueryRoute
 from app.optics.interface import Interface
 from app.optics.metrics import METRICS, Metric
 from app.optics.recommendation import WEIGHTS, Candidate, recommend
 from app.optics.registry import Registry
-from app.ready import ReadyBody
 
 COLUMNS = ["model", "accepted", "weighted_cost", *METRICS, "albedo_error", "reason"]
 

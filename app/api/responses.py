@@ -9,10 +9,10 @@ import numpy as np
 import orjson
 
 from app.api.presets import PresetInterface, preset_json
+from app.http.body import ReadyBody
 from app.optics.angles import LANDMARKS
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.ready import ReadyBody
 
 CSV = "text/csv; charset=utf-8"
 

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from app.api.responses import CSV, rounded, shown_as
-from app.ready import ReadyBody
+from app.http.body import ReadyBody
 
 
 def rows_csv_body(

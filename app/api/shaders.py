@@ -12,12 +12,12 @@ from pydantic import BaseModel, Field
 
 from app.api.answers import Answer
 from app.api.params import QueryModel
-from app.api.problems import MissingResource
-from app.api.route import QueryRoute
 from app.api.schemas import MeasuredOut
+from app.http.body import ReadyBody
+from app.http.problems import MissingResource
+from app.http.route import QueryRoute
 from app.optics.errors import NotAllowed, UnknownModel
 from app.optics.registry import Model, Registry
-from app.ready import ReadyBody
 from app.snippets.languages import LANGUAGES, Language, Trust
 from app.snippets.snippet import arguments_of, reason_without, write
 

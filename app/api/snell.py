@@ -10,8 +10,8 @@ from fastapi import APIRouter, Query
 from app.api.answers import Answer
 from app.api.params import AngleQuery, DigitsQuery, InterfaceQuery
 from app.api.responses import CONVENTION, interface_json, json_body, number_or_null
-from app.api.route import QueryRoute
 from app.api.schemas import SnellOut
+from app.http.route import QueryRoute
 from app.optics.amplitudes import amplitudes, phase_deg, power
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface

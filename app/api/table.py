@@ -10,8 +10,8 @@ from urllib.parse import unquote
 import orjson
 from fastapi import APIRouter
 
-from app.api.route import QueryRoute
-from app.ready import ReadyBody
+from app.http.body import ReadyBody
+from app.http.route import QueryRoute
 
 
 class RouteTable:

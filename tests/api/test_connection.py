@@ -13,8 +13,8 @@ from typing import Any
 
 import pytest
 
-from app.pool import Pool
-from app.protocol import BoundedProtocol
+from app.server.pool import Pool
+from app.server.protocol import BoundedProtocol
 from app.settings import Settings
 from tests.api.wire import Address, exchange, received, served
 

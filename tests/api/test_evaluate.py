@@ -23,7 +23,7 @@ from fastapi import FastAPI
 
 from app.main import create_app
 from app.optics.registry import default_registry
-from app.pool import Pool
+from app.server.pool import Pool
 from app.settings import Settings
 from tests.api.wire import exchange, get, served
 from tests.optics.reference.fresnel import fresnel

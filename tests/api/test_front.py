@@ -16,13 +16,13 @@ from starlette.types import Receive, Scope, Send
 
 from app.api import curves
 from app.api.responses import interface_json
-from app.api.route import QueryRoute
-from app.cache import AnswerCache
+from app.http.body import ReadyBody
+from app.http.cache import AnswerCache
+from app.http.route import QueryRoute
 from app.main import create_app
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.pool import Overloaded, Pool
-from app.ready import ReadyBody
+from app.server.pool import Overloaded, Pool
 from app.settings import Settings
 from tests.api.raw import Answer, exchange, send
 

@@ -10,7 +10,7 @@ import pytest
 import zstandard
 from fastapi import FastAPI
 
-from app.api.problems import MEDIA_TYPE
+from app.http.problems import MEDIA_TYPE
 from app.main import create_app
 from app.settings import Settings
 from tests.api.raw import Answer, send

@@ -16,11 +16,11 @@ from unittest.mock import Mock
 
 import pytest
 
-from app.api.problems import MEDIA_TYPE
+from app.http.problems import MEDIA_TYPE
 from app.main import create_app
-from app.pool import Pool
-from app.protocol import BoundedProtocol
-from app.server import allow_open_files
+from app.server.pool import Pool
+from app.server.protocol import BoundedProtocol
+from app.server.run import allow_open_files
 from app.settings import Settings
 from tests.api.raw import Answer, send
 from tests.api.wire import Address, exchange, get, received, served

@@ -11,7 +11,7 @@ from pydantic import BaseModel
 
 from app import __version__
 from app.api import schemas
-from app.api.problems import MEDIA_TYPE
+from app.http.problems import MEDIA_TYPE
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, Parameter
 from app.optics.registry import default_registry
 from tests.api.raw import send

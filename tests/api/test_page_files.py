@@ -10,7 +10,7 @@ import tree_sitter_javascript
 from fastapi import FastAPI
 from tree_sitter import Language, Node, Parser
 
-from app.comments import without_comments
+from app.page.comments import without_comments
 from app.settings import Settings
 from tests.api.raw import send
 

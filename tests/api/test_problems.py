@@ -14,7 +14,7 @@ from fastapi import FastAPI
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from app.api.problems import MEDIA_TYPE, MOST_ERRORS, Problem
+from app.http.problems import MEDIA_TYPE, MOST_ERRORS, Problem
 from app.main import create_app
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface

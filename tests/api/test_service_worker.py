@@ -4,7 +4,7 @@ import json
 import re
 from pathlib import Path
 
-from app.service_worker import SCRIPT, service_worker
+from app.page.service_worker import SCRIPT, service_worker
 
 STATIC = Path(__file__).parents[2] / "static"
 

@@ -12,7 +12,7 @@ from typing import Any
 import uvicorn
 
 from app.main import create_app
-from app.protocol import Config
+from app.server.protocol import Config
 from app.settings import Settings
 from tests.api.raw import Answer
 

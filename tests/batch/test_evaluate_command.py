@@ -15,7 +15,7 @@ import pyarrow.parquet
 import pytest
 from typer.testing import CliRunner
 
-from app.cli import cli
+from app.cli.main import cli
 from app.materials import default_catalog
 from tests.optics.reference.fresnel import fresnel
 
@@ -167,7 +167,7 @@ def test_memory_does_not_grow_with_the_file(tmp_path: Path) -> None:
         table = pa.table({"theta_i_deg": np.linspace(0.0, 90.0, count)})
         pa.parquet.write_table(table, path, row_group_size=100_000)
         code = (
-            "import sys, resource; from app.cli import cli\n"
+            "import sys, resource; from app.cli.main import cli\n"
             "try: cli(sys.argv[1:])\n"
             "except SystemExit: print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
         )

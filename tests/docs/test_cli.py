@@ -20,7 +20,7 @@ import pytest
 from pydantic import ValidationError
 from typer.testing import CliRunner
 
-from app.cli import cli
+from app.cli.main import cli
 from app.settings import Settings
 
 ROOT = Path(__file__).parents[2]
@@ -68,7 +68,7 @@ def health(url: str) -> dict[str, str]:
 
 
 def test_the_command_is_installed() -> None:
-    assert PROJECT["scripts"]["fresnel-explorer"] == "app.cli:main"
+    assert PROJECT["scripts"]["fresnel-explorer"] == "app.cli.main:main"
     assert COMMAND.is_file()
 
 

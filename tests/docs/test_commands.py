@@ -17,9 +17,9 @@ from fastapi import FastAPI
 from typer.testing import CliRunner
 
 from app.api.table import RouteTable
-from app.cli import cli
-from app.commands import plots
-from app.commands.queries import COMMANDS, Command
+from app.cli import plots
+from app.cli.main import cli
+from app.cli.queries import COMMANDS, Command
 from app.main import create_app
 from tests.api.raw import send
 
@@ -193,7 +193,7 @@ def test_the_shell_completes(typed: str, offered: str) -> None:
 
 
 def test_the_version_does_not_wait_for_the_api() -> None:
-    code = "import sys, app.cli; print('app.main' in sys.modules, 'plotly' in sys.modules)"
+    code = "import sys, app.cli.main; print('app.main' in sys.modules, 'plotly' in sys.modules)"
     told = subprocess.run(
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
     )

@@ -17,7 +17,7 @@ import yaml
 from typer.testing import CliRunner
 
 from app import __version__
-from app.cli import cli
+from app.cli.main import cli
 from app.main import create_app
 from app.optics.registry import default_registry
 from app.settings import Settings

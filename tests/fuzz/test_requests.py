@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, Phase, given, seed, settings
 
-from app.api.problems import MEDIA_TYPE, Problem
+from app.http.problems import MEDIA_TYPE, Problem
 from app.main import create_app
 from app.optics.registry import default_registry
 from tests.fuzz.strategies import Request, operations, requests

@@ -17,7 +17,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 ROOT = Path(__file__).parents[2]
-COMMAND = [sys.executable, "-c", "from app.cli import main; main()"]
+COMMAND = [sys.executable, "-c", "from app.cli.main import main; main()"]
 """What `fresnel-explorer` runs, of this checkout whatever is installed."""
 
 PATIENCE_S = 60.0  # starting takes two seconds, and far longer on a machine with much else to do

@@ -12,7 +12,7 @@ import pytest
 THREADS = """
 import ctypes, sys, threading
 import numpy as np
-from app.memory import share_one_heap
+from app.server.memory import share_one_heap
 
 if sys.argv[1] == "shared":
     share_one_heap()

@@ -13,7 +13,7 @@ from http.client import HTTPConnection
 import pytest
 import zstandard
 
-from app.api.problems import MEDIA_TYPE, Problem
+from app.http.problems import MEDIA_TYPE, Problem
 from tests.serve.command import API, Answer, Load, Served, serving, wait_for
 from tests.serve.nginx import find_nginx, in_front_of
 

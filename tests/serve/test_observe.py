@@ -17,9 +17,9 @@ from prometheus_client.parser import text_string_to_metric_families
 from starlette.types import Receive, Scope, Send
 
 from app.main import create_app
-from app.observe.access_log import AccessLog
-from app.observe.metrics import Metrics
-from app.observe.middleware import Observed
+from app.server.observe.access_log import AccessLog
+from app.server.observe.metrics import Metrics
+from app.server.observe.middleware import Observed
 from tests.api.raw import Answer, send
 from tests.api.wire import exchange, received
 from tests.serve.command import PATIENCE_S, Served, answers, serving, wait_for

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from app.api.evaluate.pieces import MOST_VALUES, Piece, TooManyValues
-from app.api.problems import BadParameters
 from app.batch.arrow import WrongColumn, rows_of
+from app.http.problems import BadParameters
 from app.optics.registry import Registry
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from contextlib import asynccontextmanager
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 
-from app.pool import Overloaded
+from app.server.pool import Overloaded
 
 _AT_A_TIME = 2
 

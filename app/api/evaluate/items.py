@@ -17,8 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.api.evaluate.pieces import MOST_VALUES, Piece, TooManyValues
-from app.api.problems import BadParameters, unknown_parameter
 from app.batch.rows import NAMES, THREE, Fault, Hints, Index, Names, Rows, number_columns
+from app.http.problems import BadParameters, unknown_parameter
 from app.optics.parameters import THETA_I_DEG, Array
 from app.optics.registry import Registry
 

@@ -22,12 +22,12 @@ from app.api.evaluate.negotiation import accepted
 from app.api.evaluate.openapi import operation
 from app.api.evaluate.pieces import MOST_VALUES, Piece, Questions, TooManyValues
 from app.api.params import DigitsQuery
-from app.api.problems import API_HEADERS
 from app.api.responses import round_significant
-from app.api.route import refuse_unknown_and_repeated
 from app.batch.evaluation import evaluate
+from app.http.problems import API_HEADERS
+from app.http.route import refuse_unknown_and_repeated
 from app.optics.registry import Registry
-from app.pool import Pool
+from app.server.pool import Pool
 
 # Values of a piece: enough to fill NumPy's calls, few enough that what is sent stays small.
 _PIECE = 65_536

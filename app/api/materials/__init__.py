@@ -8,7 +8,7 @@ from app.api.materials.color_curves import add_curves
 from app.api.materials.detail import add_detail
 from app.api.materials.listing import add_list
 from app.api.materials.spectral import add_spectrum_and_map
-from app.api.route import QueryRoute
+from app.http.route import QueryRoute
 from app.optics.registry import Registry, default_registry
 
 

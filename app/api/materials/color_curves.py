@@ -29,13 +29,13 @@ from app.api.model_parameters import parse_models
 from app.api.params import MAX_SAMPLES, Count, TableQuery
 from app.api.presets import reported_as
 from app.api.responses import CONVENTION, csv_body, json_body
+from app.http.body import ReadyBody
 from app.materials import Preset, Spectrum, default_catalog
 from app.optics.amplitudes import reflectance
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.optics.registry import Model, Registry
-from app.ready import ReadyBody
 
 SHIRLEY_NM = (400.0, 500.0, 600.0, 700.0, 800.0)
 """The wavelengths of Shirley's figure of copper."""

@@ -14,10 +14,10 @@ from app.api.materials.queries import swatch_gamut
 from app.api.materials.schemas import MaterialsOut
 from app.api.params import Count, DigitsQuery
 from app.api.responses import json_body
+from app.http.body import ReadyBody
 from app.materials import Category, Preset, default_catalog
 from app.optics.color import Gamut, apply_gamut, srgb_hex
 from app.optics.errors import NotAllowed
-from app.ready import ReadyBody
 
 
 class ListQuery(DigitsQuery):

@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 
 from app.api.params import Number, QueryModel, number, preset_name, refuse_beside
 from app.api.presets import reported_as
-from app.api.problems import MissingResource
+from app.http.problems import MissingResource
 from app.materials import (
     NoSpectrum,
     Preset,

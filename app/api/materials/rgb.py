@@ -12,7 +12,7 @@ from pydantic import Field
 
 from app.api.materials.queries import ColorQuery, swatch_gamut
 from app.api.model_parameters import ModelsParameter
-from app.api.problems import BadParameters, ParameterError
+from app.http.problems import BadParameters, ParameterError
 from app.materials import Spectrum, appearance, color_curve, f82_tint, rgb_constants
 from app.optics.amplitudes import reflectance
 from app.optics.color import Gamut, apply_gamut, linear_srgb

@@ -22,6 +22,7 @@ from app.api.materials.queries import (
 from app.api.materials.schemas import MaterialMapOut, SpectrumOut
 from app.api.params import MAX_SAMPLES, Count, Number, QueryModel, TableQuery, wavelength
 from app.api.responses import CONVENTION, csv_body, json_body
+from app.http.body import ReadyBody
 from app.materials import Preset, Spectrum, WavelengthOutOfRange, default_catalog
 from app.materials.schema import Points, Quantity
 from app.optics.amplitudes import power
@@ -29,7 +30,6 @@ from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_T, Array
-from app.ready import ReadyBody
 
 FORMULA_POINTS = 241
 """Wavelengths in equal ratios at which a formula is evaluated where no step is asked for."""

@@ -17,7 +17,7 @@ from starlette.responses import Response
 
 from app.api.answers import Answer
 from app.api.params import QueryModel
-from app.api.problems import MOST_ERRORS, BadParameters, ParameterError, unknown_parameter
+from app.http.problems import MOST_ERRORS, BadParameters, ParameterError, unknown_parameter
 
 _NOT_MODIFIED = {"description": "The client has the answer: If-None-Match names its ETag."}
 _CSV_AS_WELL = {"content": {"text/csv": {"schema": {"type": "string"}}}}
@@ -29,7 +29,7 @@ class QueryRoute(APIRoute):
     Unknown and repeated parameters are refused, so that nothing a client sends is lost, and the
     query is validated by pydantic in one step, where FastAPI would take it apart field by field in
     Python. OpenAPI is FastAPI's own, from the endpoint's signature. Requests are answered by
-    `app.front`, before FastAPI's routing: what an endpoint returns says all there is to be sent.
+    `app.http.front`, before FastAPI's routing: what an endpoint returns says all there is to be sent.
     """
 
     def __init__(
@@ -92,7 +92,7 @@ class QueryRoute(APIRoute):
 
 
 async def _answered_in_front(request: Request) -> Response:
-    raise RuntimeError(f"{request.scope['path']} was routed here past app.front")
+    raise RuntimeError(f"{request.scope['path']} was routed here past app.http.front")
 
 
 def refuse_unknown_and_repeated(

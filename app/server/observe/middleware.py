@@ -6,8 +6,8 @@ from time import perf_counter
 
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.observe.access_log import AccessLog, request_id
-from app.observe.metrics import Metrics
+from app.server.observe.access_log import AccessLog, request_id
+from app.server.observe.metrics import Metrics
 
 OBSERVED = "observed"
 """Where the lifespan's state has the one `Observed`, for what is refused before the application."""
@@ -65,7 +65,7 @@ class Observed:
             status = 500 if status == _HUNG_UP else status
             raise
         finally:
-            # The server itself may have told the client something else, see app.protocol.
+            # The server itself may have told the client something else, see app.server.protocol.
             status, sent = scope.get("refused", (status, sent))
             self._ended(scope, status, sent, perf_counter() - started, error)
 

@@ -12,7 +12,7 @@ from starlette.responses import Response
 from starlette.routing import Match, Mount
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.api.problems import EXPOSED_HEADERS, problem_response
+from app.http.problems import EXPOSED_HEADERS, problem_response
 
 
 class Fallback(Mount):

@@ -15,9 +15,9 @@ from starlette.responses import Response
 from starlette.staticfiles import PathLike, StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.comments import without_comments
-from app.ready import Headers, ReadyBody
-from app.service_worker import SCRIPT, service_worker
+from app.http.body import Headers, ReadyBody
+from app.page.comments import without_comments
+from app.page.service_worker import SCRIPT, service_worker
 
 _CONTENT_SECURITY_POLICY = "; ".join(
     [

@@ -11,12 +11,12 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api.answers import Large
 from app.api.params import QueryModel
-from app.api.problems import API_HEADERS, PROBLEMS, problem_of
-from app.api.route import QueryRoute
 from app.api.table import RouteTable
-from app.cache import AnswerCache
-from app.pool import Pool
-from app.ready import Headers, ReadyBody, Reply
+from app.http.body import Headers, ReadyBody, Reply
+from app.http.cache import AnswerCache
+from app.http.problems import API_HEADERS, PROBLEMS, problem_of
+from app.http.route import QueryRoute
+from app.server.pool import Pool
 from app.settings import Settings
 
 

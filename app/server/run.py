@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterator
 import uvicorn
 from uvicorn.supervisors import Multiprocess
 
-from app.observe.metrics import SHARED
-from app.protocol import Config
+from app.server.observe.metrics import SHARED
+from app.server.protocol import Config
 from app.settings import Settings
 
 _UNRESPONSIVE_S = 30
@@ -23,7 +23,7 @@ def serve(settings: Settings, announce: Callable[[str], None]) -> None:
     """Serve until told to stop; then finish what is in flight.
 
     Workers are processes that take connections from one socket. One that dies is replaced; how
-    they share their metrics, see `app.observe.metrics`.
+    they share their metrics, see `app.server.observe.metrics`.
 
     Parameters
     ----------

@@ -6,7 +6,7 @@ from collections import OrderedDict
 from collections.abc import Hashable
 from dataclasses import dataclass, field
 
-from app.ready import ReadyBody
+from app.http.body import ReadyBody
 
 # What Python's objects add to the bytes of an answer, and to those of a key.
 _ENTRY, _KEY = 2000, 1000

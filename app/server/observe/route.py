@@ -6,7 +6,7 @@ from fastapi import APIRouter, Request
 from prometheus_client import CONTENT_TYPE_LATEST
 from starlette.responses import Response
 
-from app.observe.metrics import Metrics
+from app.server.observe.metrics import Metrics
 
 _TEXT = {"content": {"text/plain": {"schema": {"type": "string"}}}}
 

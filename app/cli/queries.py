@@ -21,11 +21,11 @@ from starlette.requests import Request
 from typer.core import TyperGroup
 
 from app.api import PREFIX
-from app.api.problems import PROBLEMS, problem_of
 from app.api.table import RouteTable
-from app.commands import plots, tables
-from app.commands.tables import Sheets
-from app.ready import ReadyBody
+from app.cli import plots, tables
+from app.cli.tables import Sheets
+from app.http.body import ReadyBody
+from app.http.problems import PROBLEMS, problem_of
 from app.settings import Settings
 
 _DIGITS = "6"  # of a table, where nobody asked for more

@@ -8,9 +8,10 @@ from typing import Annotated
 import typer
 from pydantic import ValidationError
 
-from app import __version__, server
-from app.commands import queries
-from app.commands.evaluate import evaluate
+from app import __version__
+from app.cli import queries
+from app.cli.evaluate import evaluate
+from app.server import run
 from app.settings import PREFIX, Settings, without_effect
 
 cli = typer.Typer(
@@ -58,7 +59,7 @@ def serve(
         first = error.errors()[0]
         hint = f"--{first['loc'][0]} or {PREFIX}{str(first['loc'][0]).upper()}"
         raise typer.BadParameter(f"{first['input']!r}: {first['msg']}", param_hint=hint) from None
-    server.serve(
+    run.serve(
         settings,
         # Standard output is for the access log alone, where there is one.
         announce=lambda url: typer.echo(

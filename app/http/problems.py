@@ -16,7 +16,7 @@ from starlette.exceptions import HTTPException
 from starlette.responses import Response
 
 from app.optics.errors import OpticsError
-from app.pool import Overloaded
+from app.server.pool import Overloaded
 
 MEDIA_TYPE = "application/problem+json"
 

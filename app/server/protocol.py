@@ -16,9 +16,9 @@ from starlette.types import Scope
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 from uvicorn.server import ServerState
 
-from app.api.problems import API_HEADERS, MEDIA_TYPE, problem_bytes
-from app.lingering import LingeringTransport
-from app.observe.middleware import OBSERVED, Observed, identify
+from app.http.problems import API_HEADERS, MEDIA_TYPE, problem_bytes
+from app.server.lingering import LingeringTransport
+from app.server.observe.middleware import OBSERVED, Observed, identify
 from app.settings import Settings
 
 

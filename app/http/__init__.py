@@ -1,0 +1,1 @@
+"""HTTP for pure functions: queries, finished answers, problems, what every answer carries."""

@@ -1,0 +1,1 @@
+"""The running server: its processes, threads, memory, log, and the way it stops."""
