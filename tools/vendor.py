@@ -2,8 +2,9 @@
 
 Every package gets a folder with its version in the name, so that the server may tell browsers to
 keep these files for ever. The files are copied unchanged, but for the page's font, which is cut to
-what the page shows; `manifest.json` records where each came from, under which licence, and its
-SHA-256. Run it by `make vendor` after changing a version.
+what the page shows, and a line for the type checker beside lit-html. `manifest.json` records where
+each came from, under which licence, and its SHA-256. Run it by `make vendor` after changing a
+version.
 """
 
 import hashlib
@@ -63,8 +64,10 @@ FONT = Package(
     "LICENSE",
     {},  # cut below
 )
+LIT = Package("lit-html", "lit-html", "LICENSE", {"lit-html.js": "."})
 PACKAGES = (
     PLOTLY,
+    LIT,
     Package(
         "katex",
         "katex",
@@ -126,6 +129,11 @@ def copy_plotly_stylesheet() -> None:
             (PLOTLY.folder / "plotly.css").write_bytes(stylesheet.read())
 
 
+def declare_lit() -> None:
+    """Tell the type checker that the copy has the types of the installed package."""
+    (LIT.folder / "lit-html.d.ts").write_text('export * from "lit-html";\n', "utf-8")
+
+
 # The weights and characters in use, with the letters of western names. Who changes them changes the
 # name of the file too: browsers keep it for ever.
 FONT_SOURCE = "files/ibm-plex-sans-latin-wght-normal.woff2"
@@ -176,6 +184,7 @@ def main() -> None:
     for package in PACKAGES:
         copy(package)
     copy_plotly_stylesheet()
+    declare_lit()
     cut_font()
     manifest = {"packages": [describe(package) for package in PACKAGES]}
     (VENDOR / "manifest.json").write_text(json.dumps(manifest, indent=2) + "\n", "utf-8")

@@ -23,7 +23,7 @@ _DASHES = (
     "3px 6px",
     "12px 4px",
 )
-# As static/js/palette.js has them; a test compares the two.
+# As static/js/models/look.js has them; a test compares the two.
 _OWN = {
     "schlick": (1, "dash"),
     "pharr_humphreys": (4, "dashdot"),

@@ -16,9 +16,10 @@ from app.optics.parameters import K_T, N_T, Array, Parameter
 NEGLIGIBLE_K = 1e-6
 """k below which a preset counts as transparent: light of 500 nm goes 40 mm before it falls to 1/e.
 
-One rule for both sides of a boundary and for the page (static/js/constants.js): an answer about one
-boundary tells the measured k, and a warning says that it counts as 0. Glass measured as 1e-8 would
-otherwise be a conductor without Brewster's angle. Numbers given as `k_t` are taken as they are.
+One rule for both sides of a boundary and for the page (static/js/media/constants.js): an answer
+about one boundary tells the measured k, and a warning says that it counts as 0. Glass measured as
+1e-8 would otherwise be a conductor without Brewster's angle. Numbers given as `k_t` are taken as
+they are.
 """
 
 

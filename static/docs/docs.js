@@ -2,8 +2,8 @@
 /** The API's documentation: Swagger UI on this server's own schema, loading nothing from elsewhere. */
 
 /**
- * @typedef {{name: string, in: string, schema?: {default?: unknown}}} Parameter
- * @typedef {{parameters?: Parameter[]}} Operation
+ * @typedef {{name: string, in: string, schema?: {default?: unknown}}} Declared
+ * @typedef {{parameters?: Declared[]}} Operation
  * @typedef {{paths: Record<string, Record<string, Operation>>}} Schema
  * @typedef {{url: string, method?: string, loadSpec?: boolean}} Call
  * @typedef {(options: Record<string, unknown>) => unknown} SwaggerUI

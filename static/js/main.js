@@ -1,21 +1,15 @@
 /** The wiring: state -> api -> views. */
 
-import { BASE, createQuery, load, onKept, Problem } from "./api.js";
-import { createConstants } from "./constants.js";
 import { canBeIncident } from "./controls/media.js";
 import { WAVELENGTH } from "./controls/wavelength.js";
-import { byId, h } from "./dom.js";
-import { listenForKeys } from "./keys.js";
-import { createShell } from "./shell.js";
-import { choice, createState, number, optional, shortened } from "./state.js";
-import { startWorker } from "./transport.js";
-import { createUndo } from "./undo.js";
-
-/**
- * @typedef {import('./types.js').Catalog} Catalog
- * @typedef {import('./types.js').State} State
- * @typedef {import('./types.js').ViewModule} ViewModule
- */
+import { createConstants } from "./media/constants.js";
+import { byId, h } from "./page/dom.js";
+import { listenForKeys } from "./page/keys.js";
+import { createShell } from "./page/shell.js";
+import { BASE, createQuery, load, onKept, Problem } from "./server/api.js";
+import { startWorker } from "./server/transport.js";
+import { choice, createState, number, optional, shortened } from "./state/state.js";
+import { createUndo } from "./state/undo.js";
 
 /**
  * A further view is one line here and one file in views/.
@@ -44,7 +38,7 @@ const PAGE_ANGLE = 64; // where the page starts: R, Rs and Rp are well apart
 const SAY_AFTER = 900; // ms of rest before the numbers are spoken
 const KEEP_AFTER = 3000; // ms at rest until what is needed offline is kept: fetching it all slows down a drag
 
-/** @param {Catalog} catalog @returns {Record<string, import('./state.js').Field>} the state that all views share */
+/** @param {Catalog} catalog @returns {Record<string, Field>} the state that all views share */
 function sharedFields({ parameters, materials }) {
   const ids = materials.map((m) => m.id);
   const own = ["n_i", "n_t", "k_t", "theta_i_deg"].map((name) => {
@@ -79,7 +73,7 @@ function lines({ detail, errors }) {
 
 const MOST_LINES = 4;
 
-/** @param {import('./state.js').LinkProblem[]} problems @returns {string[]} */
+/** @param {import('./state/state.js').LinkProblem[]} problems @returns {string[]} */
 function linkLines(problems) {
   const each = problems
     .slice(0, MOST_LINES)
@@ -96,7 +90,7 @@ function save(name, blob) {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-/** The short table that everybody knows comes first. @param {import('./types.js').Material[]} materials */
+/** The short table that everybody knows comes first. @param {Material[]} materials */
 function byTable(materials) {
   const common = materials.filter((m) => m.id.endsWith("-shirley"));
   return [...common, ...materials.filter((m) => !common.includes(m))];
@@ -199,7 +193,7 @@ async function start() {
       for (const { view } of opened.values()) view.theme();
     },
   });
-  /** @type {import('./state.js').StateStore | null} */
+  /** @type {import('./state/state.js').StateStore | null} */
   let store = null;
 
   const catalog = await firstCatalog(main);
@@ -241,7 +235,7 @@ async function start() {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let speech;
 
-  /** @type {typeof import('./offline.js') | null} */
+  /** @type {typeof import('./server/offline.js') | null} */
   let keeper = null;
   const onScreen = () => Object.values(answers.asked ?? {}).map((path) => `${BASE}${path}`);
 
@@ -249,13 +243,13 @@ async function start() {
   const quietly = (work) => void work.catch(() => {});
   function rest() {
     stopWaiting();
-    quietly(import("./print.js").then(({ preparePrint }) => preparePrint()));
+    quietly(import("./page/print.js").then(({ preparePrint }) => preparePrint()));
     if (state.get().embed) return; // it is a guest there
     quietly(load("/health").then((health) => shell.showVersion(health.version)));
     quietly(keep());
   }
   async function keep() {
-    const offline = await import("./offline.js");
+    const offline = await import("./server/offline.js");
     await offline.keepPage();
     keeper = offline;
     const start = ["/parameters", MODELS, MATERIALS].map((path) => `${BASE}${path}`);
@@ -423,7 +417,8 @@ async function start() {
         save,
         describe,
         describeMedia,
-        typeset: async (latex, element) => (await import("./typeset.js")).typeset(latex, element),
+        typeset: async (latex, element) =>
+          (await import("./page/typeset.js")).typeset(latex, element),
       });
       opened.set(id, { module, view, host });
     }
@@ -472,13 +467,13 @@ async function start() {
   let arrived = Promise.resolve();
   const steps = createUndo(state);
   const orders = {
-    find: async () => (await import("./finder.js")).openFinder(found),
-    help: async () => (await import("./help.js")).openHelp(),
+    find: async () => (await import("./page/finder.js")).openFinder(found),
+    help: async () => (await import("./page/help.js")).openHelp(),
     // A link that is under way is the step that is meant.
     undo: () => arrived.then(() => shell.say(steps.undo() ? "Undone" : "Nothing to undo")),
     redo: () => arrived.then(() => shell.say(steps.redo() ? "Done again" : "Nothing to redo")),
   };
-  /** @type {import('./finder.js').FinderOptions} */
+  /** @type {import('./page/finder.js').FinderOptions} */
   const found = {
     catalog,
     views: VIEWS,
@@ -495,8 +490,8 @@ async function start() {
   };
   async function copyEmbed() {
     const [{ copyText }, { embedCode }] = await Promise.all([
-      import("./clipboard.js"),
-      import("./embed.js"),
+      import("./page/clipboard.js"),
+      import("./page/embed.js"),
     ]);
     const done = await copyText(embedCode(location.href, document.title));
     shell.notice("embed", {

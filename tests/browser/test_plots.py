@@ -16,7 +16,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 SCRATCH = """async ([from, to]) => {
-  const { createPlot } = await import('/js/plots.js');
+  const { createPlot } = await import('/js/plot/plot.js');
   const host = document.createElement('div');
   host.style.cssText = 'position: fixed; inset: 0 auto auto 0; width: 700px; height: 420px';
   document.body.append(host);

@@ -89,7 +89,7 @@ def test_a_page_that_cannot_fetch_it_says_nothing(page: Page) -> None:
     """As when it is left, or its server is gone, in the moment after it has rested."""
     uncaught: list[str] = []
     page.on("pageerror", lambda error: uncaught.append(str(error)))
-    page.route("**/js/print.js", lambda route: route.abort())
+    page.route("**/js/page/print.js", lambda route: route.abort())
     page.route("**/api/v1/health", lambda route: route.abort())
     with page.expect_event("requestfailed", lambda request: "print.js" in request.url):
         page.goto("/")

@@ -8,7 +8,6 @@ import {
   rowsOf,
   sortedClaims,
 } from "../../static/js/albedo/claims.js";
-import { coatPicture, outline } from "../../static/js/albedo/coat-picture.js";
 import {
   albedoFields,
   chosenFits,
@@ -27,7 +26,8 @@ import {
   errorTraces,
   tamed,
 } from "../../static/js/albedo/traces.js";
-import { createState } from "../../static/js/state.js";
+import { coatPicture, outline } from "../../static/js/coat/picture.js";
+import { createState } from "../../static/js/state/state.js";
 
 const PARAMETERS = [
   { name: "n_i", default: 1, minimum: 1e-3, maximum: 100 },

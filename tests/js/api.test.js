@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { createQuery, Problem } from "../../static/js/api.js";
+import { createQuery, Problem } from "../../static/js/server/api.js";
 
 /** A server whose answers come when the test says so. */
 function fakeServer() {

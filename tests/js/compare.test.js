@@ -3,17 +3,13 @@ import { test } from "node:test";
 import { matches } from "../../static/js/compare/chooser.js";
 import { convertPath, filled, printValue, texts } from "../../static/js/compare/conversions.js";
 import { compareFields, focused, ranges } from "../../static/js/compare/fields.js";
-import { COLUMNS, printCost, short, sorted } from "../../static/js/compare/metrics.js";
 import { later, queries, restCalls } from "../../static/js/compare/queries.js";
-import { curveTraces, distinct, errorRange, errorTraces } from "../../static/js/compare/traces.js";
-import { EXAMPLES, shows, stateOf } from "../../static/js/examples.js";
-import { parameterFields, parameterQuery } from "../../static/js/model-parameters.js";
-import { createState } from "../../static/js/state.js";
-import { lutPath, rgbLutPath } from "../../static/js/tables/queries.js";
-
-/** @typedef {import("../../static/js/types.js").Parameter} Parameter */
-/** @typedef {import("../../static/js/types.js").Model} Model */
-/** @typedef {import("../../static/js/types.js").Catalog} Catalog */
+import { COLUMNS, printCost, short, sorted } from "../../static/js/errors/metrics.js";
+import { curveTraces, distinct, errorRange, errorTraces } from "../../static/js/errors/traces.js";
+import { EXAMPLES, shows, stateOf } from "../../static/js/models/examples.js";
+import { parameterFields, parameterQuery } from "../../static/js/models/parameters.js";
+import { createState } from "../../static/js/state/state.js";
+import { lutPath, rgbLutPath } from "../../static/js/takeaway/table-queries.js";
 
 /** @param {string} name @param {Partial<Parameter>} rest @returns {Parameter} */
 const parameter = (name, rest = {}) => ({
@@ -217,7 +213,7 @@ test("a triple gives a curve for each channel", () => {
 });
 
 test("the table sorts by size, what is unknown last, costs by the server's weights", () => {
-  /** @param {string} id @param {Partial<import("../../static/js/compare/metrics.js").Row>} rest @returns {any} */
+  /** @param {string} id @param {Partial<import("../../static/js/errors/metrics.js").Row>} rest @returns {any} */
   const row = (id, rest) => ({ model: id, quantity: "R", in_domain: true, reason: null, ...rest });
   const rows = [
     row("a", { rms: 0.2, cosine_weighted_mean: -0.3 }),

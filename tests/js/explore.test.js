@@ -1,9 +1,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { allLandmarksOf, landmarksOf, readingAt } from "../../static/js/explore/reading.js";
-import { axesOf, marksOf, tracesOf } from "../../static/js/explore/traces.js";
+import { allLandmarksOf, landmarksOf, readingAt } from "../../static/js/curves/reading.js";
+import { axesOf, marksOf, tracesOf } from "../../static/js/curves/traces.js";
 
-/** @type {import("../../static/js/types.js").Interface} */
+/** @type {Interface} */
 const MEDIA = {
   n_i: 1,
   n_t: 1.5,
@@ -40,7 +40,7 @@ function curves(media = {}) {
   };
 }
 
-/** @type {import("../../static/js/explore/traces.js").Shown} */
+/** @type {import("../../static/js/curves/traces.js").Shown} */
 const SHOWN = { polarization: "unpolarized", angle: "deg", show: [], models: [], marks: true };
 const MODELS = /** @type {any} */ ([
   { id: "exact", title: "Exact" },

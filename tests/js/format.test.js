@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { angle, inDegrees, inUnit, percent, plain, six } from "../../static/js/format.js";
+import { angle, inDegrees, inUnit, percent, plain, six } from "../../static/js/numbers/format.js";
 
 test("six significant digits with a minus sign", () => {
   assert.equal(six(0.11300063), "0.113001");

@@ -1,6 +1,5 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { stretch, wavelength } from "../../static/js/format.js";
 import { known, spanned, valueAt, within } from "../../static/js/materials/band.js";
 import { COLUMNS, sortedPresets } from "../../static/js/materials/columns.js";
 import { materialFields, wavelengths } from "../../static/js/materials/fields.js";
@@ -11,11 +10,12 @@ import {
   wavelengthColor,
   wavelengthDash,
   wavelengthProperty,
-} from "../../static/js/materials/wavelength.js";
+} from "../../static/js/media/wavelength-color.js";
+import { stretch, wavelength } from "../../static/js/numbers/format.js";
 import { bandShapes } from "../../static/js/plot/figure.js";
 import { arrange } from "../../static/js/plot/layout.js";
 import { logTicks } from "../../static/js/plot/ticks.js";
-import { LinkError } from "../../static/js/state.js";
+import { LinkError } from "../../static/js/state/state.js";
 
 /** @param {string} id @param {object} [more] @returns {any} */
 const preset = (id, more = {}) => ({

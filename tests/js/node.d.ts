@@ -65,6 +65,7 @@ declare module "node:assert/strict" {
 }
 
 declare module "node:fs" {
+  export function readdirSync(path: URL, options?: { recursive: boolean }): string[];
   export function readFileSync(path: string | URL, encoding: "utf8" | "utf-8"): string;
 }
 

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { modelStyle } from "../../static/js/palette.js";
+import { modelStyle } from "../../static/js/models/look.js";
 
 test("each model has a look of its own, the same wherever it stands", () => {
   const models = ["a", "exact", ..."bcdefghijklmnopqrstuvwx"].map((id) => ({ id }));

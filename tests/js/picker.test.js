@@ -1,10 +1,15 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { createConstants, isDispersive, knownRange, mediaAt } from "../../static/js/constants.js";
 import { matching } from "../../static/js/controls/picker.js";
 import { sentence, spread } from "../../static/js/explore/dispersion.js";
 import { spreadPaths } from "../../static/js/explore/spread-paths.js";
-import { allowedWords, distance } from "../../static/js/nearest.js";
+import {
+  createConstants,
+  isDispersive,
+  knownRange,
+  mediaAt,
+} from "../../static/js/media/constants.js";
+import { allowedWords, distance } from "../../static/js/state/nearest.js";
 
 /** @param {string} id @param {object} [more] @returns {any} */
 const medium = (id, more = {}) => ({

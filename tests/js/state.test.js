@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { choice, createState, list, number, optional } from "../../static/js/state.js";
+import { choice, createState, list, number, optional } from "../../static/js/state/state.js";
 
 const FIELDS = () => ({
   n: number({ default: 1.5, minimum: 0.001, maximum: 100 }),

@@ -1,9 +1,9 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { EXAMPLES } from "../../static/js/examples.js";
-import { addressOf } from "../../static/js/links.js";
-import { createState } from "../../static/js/state.js";
+import { EXAMPLES } from "../../static/js/models/examples.js";
+import { addressOf } from "../../static/js/page/links.js";
+import { createState } from "../../static/js/state/state.js";
 import { chosen, sourceName } from "../../static/js/theory/claims.js";
 import { SECTIONS, TOUCHED, theoryFields, UNTOUCHED } from "../../static/js/theory/fields.js";
 import { lessonQueries, settingOf, shareBy } from "../../static/js/theory/lesson.js";

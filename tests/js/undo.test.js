@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { createState, number } from "../../static/js/state.js";
-import { createUndo } from "../../static/js/undo.js";
+import { createState, number } from "../../static/js/state/state.js";
+import { createUndo } from "../../static/js/state/undo.js";
 
 function started() {
   const n = number({ default: 1.5, minimum: 0, maximum: 9 });

@@ -15,13 +15,11 @@
  * @typedef {{id: string, title: string, quantity: Quantity, value: number | null, error: number | null,
  *   in_domain: boolean, reason: string | null}} Approximation
  * @typedef {{exact: Exact, approximations: Approximation[]}} Side
- * @typedef {Side & {interface: import('../types.js').Interface, flatland: number | null, reverse: Side | null}} Here
+ * @typedef {Side & {interface: Interface, flatland: number | null, reverse: Side | null}} Here
  * @typedef {{value: number, n_t: number, k_t: number}} Largest
  * @typedef {{n_i: number, n_t: number[], k_t: number[], fit: string | null, quantity: Quantity,
  *   show: 'exact' | 'value' | 'error', values: (number | null)[][], largest: Largest | null,
  *   largest_in_domain: Largest | null, domains: {n_t: [number, number], k_t: [number, number]}[]}} AlbedoMap
- * @typedef {{interface: import('../types.js').Interface, body_albedo: number, theta_i_deg: number | null,
- *   external: number, internal: number, surface: number, body: number, absorbed: number}} Coat
  */
 
 /** @typedef {'outside' | 'inside' | 'metal'} Family where a fit is at home */

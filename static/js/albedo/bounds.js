@@ -1,8 +1,8 @@
 /** From and to: the ends of an axis, in boxes; an empty box leaves its end to the page. */
 
-import { h, setText, symbol } from "../dom.js";
-import { evaluate } from "../expression.js";
-import { plain } from "../format.js";
+import { evaluate } from "../numbers/expression.js";
+import { plain } from "../numbers/format.js";
+import { h, setText, symbol } from "../page/dom.js";
 
 /**
  * @param {object} options

@@ -1,7 +1,7 @@
 /** Which fits stand against the exact albedo: in groups by where they are at home. */
 
-import { h, setText } from "../dom.js";
-import { sample } from "../explore/sample.js";
+import { sample } from "../models/sample.js";
+import { h, setText } from "../page/dom.js";
 import { familiesOf } from "./answers.js";
 import { fitStyle } from "./style.js";
 

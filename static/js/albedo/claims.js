@@ -1,7 +1,7 @@
 /** What the fits claim beside what they do: rows, columns and their words. */
 
-import { significant } from "../format.js";
-import { byColumn } from "../sorted.js";
+import { significant } from "../numbers/format.js";
+import { byColumn } from "../numbers/sorted.js";
 
 /**
  * @typedef {import('./answers.js').Fit} Fit

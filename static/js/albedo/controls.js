@@ -3,13 +3,11 @@
 import { createChoice } from "../controls/choice.js";
 import { createInterface } from "../controls/interface.js";
 import { createSheet } from "../controls/sheet.js";
-import { h } from "../dom.js";
+import { h } from "../page/dom.js";
 import { createChooser } from "./chooser.js";
 import { chosenFits, isMetal } from "./fields.js";
 
 /**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
  * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
  */
 

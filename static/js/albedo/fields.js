@@ -1,11 +1,9 @@
 /** The state that the Albedo view adds to the one all views share. */
 
-import { choice, LinkError, list, number } from "../state.js";
+import { coatFields } from "../coat/fields.js";
+import { choice, LinkError, list, number } from "../state/state.js";
 
 /**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
- * @typedef {import('../state.js').Field} Field
  * @typedef {'outside' | 'inside' | 'metal-n' | 'metal-k'} Surface
  */
 
@@ -87,10 +85,7 @@ export function albedoFields({ parameters }) {
     map_n_high: number({ ...n, default: null }),
     map_k_low: number({ ...k, default: null }),
     map_k_high: number({ ...k, default: null }),
-    coat_n: number({ ...n, default: 1.5 }),
-    coat_body: number({ default: 0.5, minimum: 0, maximum: 1 }),
-    coat_light: choice("diffuse", ["diffuse", "ray"]),
-    coat_theta: number({ default: 45, minimum: 0, maximum: 90 }),
+    ...coatFields(parameters),
     claims_by: choice("holds", ["fit", "holds", "claimed", "measured", "domain", "source"]),
     claims_order: choice("up", ["up", "down"]),
   };

@@ -1,23 +1,22 @@
 /** The error of a fit over n and k, with what it was made for outlined. */
 
-import { short } from "../compare/metrics.js";
 import { createChoice } from "../controls/choice.js";
-import { h, setText } from "../dom.js";
-import { createExports } from "../exports.js";
-import { plain, six } from "../format.js";
+import { short } from "../errors/metrics.js";
+import { plain, six } from "../numbers/format.js";
+import { h, setText } from "../page/dom.js";
+import { createExports } from "../page/exports.js";
+import { createTrouble } from "../page/trouble.js";
 import { roundUp } from "../plot/colors.js";
 import { createDataTables } from "../plot/data-table.js";
 import { createHeatmap } from "../plot/heatmap.js";
 import { createBounds } from "./bounds.js";
 import { printError } from "./claims.js";
 import { mapFit, mapRange } from "./fields.js";
-import { createTrouble } from "./trouble.js";
 
 /**
- * @typedef {import('../types.js').State} State
  * @typedef {import('./answers.js').Fit} Fit
  * @typedef {import('./answers.js').AlbedoMap} AlbedoMap
- * @typedef {import('./trouble.js').Problem} Problem
+ * @typedef {import('../page/trouble.js').Problem} Problem
  */
 
 const WHAT = { error: "error", value: "albedo by the fit", exact: "exact albedo" };

@@ -1,23 +1,22 @@
 /** The albedo over its abscissa and, below it on the same axis, the signed errors of the fits. */
 
-import { errorRange } from "../compare/traces.js";
 import { createChoice } from "../controls/choice.js";
-import { h, setText } from "../dom.js";
-import { createExports } from "../exports.js";
-import { locate, read } from "../interpolate.js";
+import { errorRange } from "../errors/traces.js";
+import { locate, read } from "../numbers/interpolate.js";
+import { clamp } from "../numbers/snap.js";
+import { h, setText } from "../page/dom.js";
+import { createExports } from "../page/exports.js";
+import { createTrouble } from "../page/trouble.js";
 import { createDataTables } from "../plot/data-table.js";
 import { drawLegend } from "../plot/legend.js";
 import { MOST_LABELS } from "../plot/overlay.js";
-import { createPlot } from "../plots.js";
-import { clamp } from "../snap.js";
+import { createPlot } from "../plot/plot.js";
 import { createBounds } from "./bounds.js";
 import { gone, isMetal, place, sweepRange } from "./fields.js";
 import { held } from "./queries.js";
 import { albedoTraces, claimTraces, decisive, errorTraces, tamed } from "./traces.js";
-import { createTrouble } from "./trouble.js";
 
 /**
- * @typedef {import('../types.js').State} State
  * @typedef {import('../plot/model.js').Trace} Trace
  * @typedef {import('./answers.js').Fit} Fit
  * @typedef {import('./answers.js').Sweep} Sweep
@@ -226,7 +225,7 @@ export function createPlots(parent, { actions, save }) {
   }
 
   return {
-    /** @param {State} state @param {Record<string, any>} answers @param {readonly Fit[]} fits @param {boolean} moving @param {import("./trouble.js").Problem | undefined} problem */
+    /** @param {State} state @param {Record<string, any>} answers @param {readonly Fit[]} fits @param {boolean} moving @param {import("../page/trouble.js").Problem | undefined} problem */
     update(state, answers, fits, moving, problem) {
       now = state;
       trouble.update(

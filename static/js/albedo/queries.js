@@ -1,12 +1,8 @@
 /** What the Albedo view asks the server for. */
 
-import { mediaQuery, path } from "../questions.js";
+import { coatPath } from "../coat/fields.js";
+import { mediaQuery, path } from "../server/questions.js";
 import { chosenFits, isMetal, mapFit, mapRange, sweepRange } from "./fields.js";
-
-/**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
- */
 
 /** Steps of a hundredth at least over each of the ranges. */
 const STEPS = { dielectric: 401, metal: 401 };
@@ -55,15 +51,6 @@ export function mapPath(state, catalog) {
     `k_steps=${MAP_CELLS.k}`,
     `digits=${MAP_DIGITS}`,
     ...mediaQuery(state, catalog, ["n_i"]),
-  ]);
-}
-
-/** @param {State} state */
-export function coatPath({ coat_n, coat_body, coat_light, coat_theta }) {
-  return path("/albedo/coat", [
-    `n_t=${coat_n}`,
-    `body_albedo=${coat_body}`,
-    coat_light === "ray" && `theta_i_deg=${coat_theta}`,
   ]);
 }
 

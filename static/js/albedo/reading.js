@@ -1,16 +1,15 @@
 /** The interface at hand: its exact albedos from both sides, and what the fits make of it. */
 
-import { copyText, flash } from "../clipboard.js";
-import { short } from "../compare/metrics.js";
-import { h, setText, symbol } from "../dom.js";
-import { sample } from "../explore/sample.js";
-import { plain, six } from "../format.js";
+import { short } from "../errors/metrics.js";
+import { sample } from "../models/sample.js";
+import { plain, six } from "../numbers/format.js";
+import { copyText, flash } from "../page/clipboard.js";
+import { h, setText, symbol } from "../page/dom.js";
 import { sideOf } from "./answers.js";
 import { chosenFits, facing, isMetal } from "./fields.js";
 import { fitStyle } from "./style.js";
 
 /**
- * @typedef {import('../types.js').State} State
  * @typedef {import('./answers.js').Fit} Fit
  * @typedef {import('./answers.js').Here} Here
  */

@@ -1,6 +1,6 @@
 /** One colour and one dash for each fit: what has the same authors has the same colour. */
 
-import { modelStyle } from "../palette.js";
+import { modelStyle } from "../models/look.js";
 
 /** @type {Record<string, [number, string]>} */
 const OWN = {

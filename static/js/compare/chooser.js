@@ -1,10 +1,8 @@
 /** Which models stand against the exact curve: three groups, and a search over all of them. */
 
-import { h, setText } from "../dom.js";
-import { sample } from "../explore/sample.js";
-import { modelStyle } from "../palette.js";
-
-/** @typedef {import('../types.js').Model} Model */
+import { modelStyle } from "../models/look.js";
+import { sample } from "../models/sample.js";
+import { h, setText } from "../page/dom.js";
 
 /** Whether a model is kept to show a mistake. @param {Model} model */
 const isTrap = ({ trap }) => trap === true;

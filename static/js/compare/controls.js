@@ -4,12 +4,10 @@ import { createChoice } from "../controls/choice.js";
 import { createInterface } from "../controls/interface.js";
 import { createParameters } from "../controls/parameters.js";
 import { createSheet } from "../controls/sheet.js";
-import { h, setText } from "../dom.js";
+import { h, setText } from "../page/dom.js";
 import { createChooser } from "./chooser.js";
 
 /**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
  * @typedef {import('../controls/interface.js').Manner} Manner
  */
 
@@ -26,7 +24,7 @@ const MANNERS = {
  * @param {State} options.presets
  * @param {() => State} options.state
  * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
- * @param {import('../state.js').Field} options.family
+ * @param {Field} options.family
  * @param {() => Promise<void>} options.describeMedia
  */
 export function createControls({ catalog, presets, state, actions, family, describeMedia }) {

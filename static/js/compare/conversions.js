@@ -1,9 +1,8 @@
 /** What `/convert` is asked, and how its answers are written. */
 
-import { significant } from "../format.js";
+import { significant } from "../numbers/format.js";
 
 /**
- * @typedef {import('../types.js').State} State
  * @typedef {{form: string, title: string, values: Record<string, any>, status: string, why: string}} Result
  * @typedef {{name: string, symbol: string, hint: string}} Input
  */

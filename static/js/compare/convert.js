@@ -1,11 +1,10 @@
 /** One interface in the words of optics, of artists and of engines, each with what is lost. */
 
-import { h, setText, symbol } from "../dom.js";
-import { plain } from "../format.js";
+import { plain } from "../numbers/format.js";
+import { h, setText, symbol } from "../page/dom.js";
 import { BETWEEN, filled, printValue, SOURCES, texts } from "./conversions.js";
 
 /**
- * @typedef {import('../types.js').State} State
  * @typedef {import('./conversions.js').Result} Result
  */
 

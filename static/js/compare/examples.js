@@ -1,12 +1,11 @@
 /** Named examples: one click shows a source's figure, what it claims and what is measured. */
 
-import { h } from "../dom.js";
-import { EXAMPLES, shows, stateOf } from "../examples.js";
-import { pageLink } from "../links.js";
-import { words } from "../prose.js";
+import { EXAMPLES, shows, stateOf } from "../models/examples.js";
+import { h } from "../page/dom.js";
+import { pageLink } from "../page/links.js";
+import { words } from "../page/prose.js";
 
 /**
- * @typedef {import('../types.js').State} State
  * @typedef {{id: string, claimed: string, found: string, verdict: string,
  *   source: {author: string, year: number, where: string}}} Claim
  */

@@ -1,18 +1,12 @@
 /** The state that the Compare view adds to the one all views share. */
 
-import { EXAMPLES } from "../examples.js";
-import { parameterFields } from "../model-parameters.js";
-import { snippetFields } from "../snippets/fields.js";
-import { choice, LinkError, list, number } from "../state.js";
-import { tableFields } from "../tables/fields.js";
+import { COLUMNS } from "../errors/metrics.js";
+import { EXAMPLES } from "../models/examples.js";
+import { parameterFields } from "../models/parameters.js";
+import { choice, LinkError, list, number } from "../state/state.js";
+import { snippetFields } from "../takeaway/code-fields.js";
+import { tableFields } from "../takeaway/table-fields.js";
 import { SOURCES } from "./conversions.js";
-import { COLUMNS } from "./metrics.js";
-
-/**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
- * @typedef {import('../state.js').Field} Field
- */
 
 /** What stands against the exact curve when nothing was chosen. */
 const FIRST_MODELS = ["schlick", "spherical_gaussian", "generalized_schlick"];

@@ -1,25 +1,20 @@
 /** The error over the media: against n or k for every model, or as a map of one. */
 
 import { createChoice } from "../controls/choice.js";
-import { h, setText } from "../dom.js";
-import { createExports } from "../exports.js";
-import { evaluate } from "../expression.js";
-import { inDegrees, inUnit, percent, plain } from "../format.js";
-import { locate, read } from "../interpolate.js";
-import { shortTitle } from "../model-traces.js";
-import { modelStyle } from "../palette.js";
+import { mapOf, sweepOf } from "../errors/answers.js";
+import { short } from "../errors/metrics.js";
+import { modelStyle } from "../models/look.js";
+import { shortTitle } from "../models/traces.js";
+import { evaluate } from "../numbers/expression.js";
+import { inDegrees, inUnit, percent, plain } from "../numbers/format.js";
+import { locate, read } from "../numbers/interpolate.js";
+import { h, setText } from "../page/dom.js";
+import { createExports } from "../page/exports.js";
 import { createDataTables } from "../plot/data-table.js";
 import { createHeatmap } from "../plot/heatmap.js";
-import { createPlot } from "../plots.js";
-import { mapOf, sweepOf } from "./answers.js";
+import { createPlot } from "../plot/plot.js";
 import { focused, isMap, isPointwise, ranges } from "./fields.js";
-import { short } from "./metrics.js";
 import { hasTriple, held } from "./queries.js";
-
-/**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
- */
 
 /** @type {Record<string, string>} */
 export const METRICS = {
@@ -211,7 +206,7 @@ export function createFigure({ parent, catalog, actions, save }) {
     const sweeps = given.map(sweepOf);
     const relative = isRelative(state.metric);
     const traces = sweeps.map(
-      (/** @type {import('./answers.js').Sweep} */ { model, x, metrics }) => ({
+      (/** @type {import('../errors/answers.js').Sweep} */ { model, x, metrics }) => ({
         id: model,
         label: shortTitle(catalog.models.find((m) => m.id === model)?.title ?? model),
         x,

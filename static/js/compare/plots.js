@@ -1,21 +1,15 @@
 /** The overlaid curves and, below them on the same axis of angles, their errors. */
 
 import { createChoice } from "../controls/choice.js";
-import { h } from "../dom.js";
-import { landmarksOf } from "../explore/reading.js";
-import { createExports } from "../exports.js";
-import { inDegrees, inUnit } from "../format.js";
-import { locate, read } from "../interpolate.js";
+import { landmarksOf } from "../curves/reading.js";
+import { curveTraces, distinct, errorRange, errorTraces } from "../errors/traces.js";
+import { inDegrees, inUnit } from "../numbers/format.js";
+import { locate, read } from "../numbers/interpolate.js";
+import { h } from "../page/dom.js";
+import { createExports } from "../page/exports.js";
 import { createDataTables } from "../plot/data-table.js";
 import { traceUid } from "../plot/figure.js";
-import { createPlot } from "../plots.js";
-import { curveTraces, distinct, errorRange, errorTraces } from "./traces.js";
-
-/**
- * @typedef {import('../types.js').Model} Model
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').Trace} Trace
- */
+import { createPlot } from "../plot/plot.js";
 
 const DEGREES = [0, 15, 30, 45, 60, 75, 90];
 const TWELFTHS = ["0", "π/12", "π/6", "π/4", "π/3", "5π/12", "π/2"];
@@ -47,7 +41,7 @@ function angleAxis(unit) {
 export function createPlots({ parent, models, actions, save }) {
   /** @type {State | null} */
   let now = null;
-  /** @param {string} name @param {string} label @param {() => import('../plots.js').Plot} plot */
+  /** @param {string} name @param {string} label @param {() => import('../plot/plot.js').Plot} plot */
   const exports = (name, label, plot) =>
     createExports({
       what: `the ${label}`,

@@ -1,16 +1,11 @@
 /** What the Compare view asks the server for. */
 
-import { parameterQuery } from "../model-parameters.js";
-import { mediaQuery, path } from "../questions.js";
-import { codeOf, snippetPath } from "../snippets/fields.js";
-import { lutPath } from "../tables/queries.js";
+import { parameterQuery } from "../models/parameters.js";
+import { mediaQuery, path } from "../server/questions.js";
+import { codeOf, snippetPath } from "../takeaway/code-fields.js";
+import { lutPath } from "../takeaway/table-queries.js";
 import { convertPath } from "./conversions.js";
 import { focused, isMap, isPointwise, ranges, withCode } from "./fields.js";
-
-/**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
- */
 
 /** Enough for a smooth line, and steps of 0.01 over two units of n. */
 const SWEEP_STEPS = 201;

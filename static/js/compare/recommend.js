@@ -1,18 +1,13 @@
 /** Which model will do: those that stay within an error budget, the cheapest first. */
 
-import { h, setText } from "../dom.js";
-import { sample } from "../explore/sample.js";
-import { evaluate } from "../expression.js";
-import { percent, plain } from "../format.js";
-import { modelStyle } from "../palette.js";
-import { candidatesOf } from "./answers.js";
+import { candidatesOf } from "../errors/answers.js";
+import { printCost, sayCost, short } from "../errors/metrics.js";
+import { modelStyle } from "../models/look.js";
+import { sample } from "../models/sample.js";
+import { evaluate } from "../numbers/expression.js";
+import { percent, plain } from "../numbers/format.js";
+import { h, setText } from "../page/dom.js";
 import { METRICS } from "./figure.js";
-import { printCost, sayCost, short } from "./metrics.js";
-
-/**
- * @typedef {import('../types.js').Model} Model
- * @typedef {import('../types.js').State} State
- */
 
 const BUDGETS = [0.05, 0.02, 0.005, 0.001];
 const WITHIN = ["max_abs", "rms", "cosine_weighted_mean", "max_relative"];
@@ -113,7 +108,7 @@ export function createRecommend({ models, state, actions }) {
     });
   };
 
-  /** @param {import('./answers.js').Candidate} entry @param {State} now */
+  /** @param {import('../errors/answers.js').Candidate} entry @param {State} now */
   function pick({ model: id, figures }, now) {
     const model = models.find((m) => m.id === id);
     const cost = /** @type {Record<string, number>} */ (model?.cost ?? {});

@@ -1,16 +1,15 @@
 /** The table of errors: sortable; the row under the pointer or the focus lights its curve. */
 
-import { copyText, flash } from "../clipboard.js";
-import { h, setText } from "../dom.js";
-import { sample } from "../explore/sample.js";
-import { CHANNELS, traceName } from "../model-traces.js";
-import { modelStyle } from "../palette.js";
-import { COLUMNS, sayCost, sorted } from "./metrics.js";
+import { COLUMNS, sayCost, sorted } from "../errors/metrics.js";
+import { modelStyle } from "../models/look.js";
+import { sample } from "../models/sample.js";
+import { CHANNELS, traceName } from "../models/traces.js";
+import { copyText, flash } from "../page/clipboard.js";
+import { h, setText } from "../page/dom.js";
 
 /**
- * @typedef {import('../types.js').Model} Model
- * @typedef {import('./metrics.js').Row} Row
- * @typedef {import('./metrics.js').Setting} Setting
+ * @typedef {import('../errors/metrics.js').Row} Row
+ * @typedef {import('../errors/metrics.js').Setting} Setting
  * @typedef {{by: string, order: 'up' | 'down', focus: string | null, unit: 'deg' | 'rad', here: (trace: string) => string, at: string,
  *   prices: ReadonlyMap<string, number>}} Shown `here` is the error at the marked angle, `at` that angle
  */

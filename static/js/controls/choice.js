@@ -1,6 +1,6 @@
 /** One of few (radio buttons) or any of some (check boxes), drawn as a row of words. */
 
-import { h } from "../dom.js";
+import { h } from "../page/dom.js";
 
 let groups = 0;
 

@@ -1,12 +1,10 @@
 /** The interface in a panel: its three indices as rows, and its media as presets. */
 
-import { plain } from "../format.js";
+import { plain } from "../numbers/format.js";
 import { createMedia } from "./media.js";
 import { createRow } from "./row.js";
 
 /**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
  * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
  * @typedef {Pick<import('./row.js').RowOptions, 'label' | 'range' | 'wide'>} Manner
  */

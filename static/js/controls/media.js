@@ -1,13 +1,11 @@
 /** The two media: a preset for each side, and the button that swaps them. */
 
-import { NEGLIGIBLE } from "../constants.js";
-import { h, setText } from "../dom.js";
 import { put } from "../draw/svg.js";
-import { plain, significant, stretch } from "../format.js";
+import { NEGLIGIBLE } from "../media/constants.js";
+import { plain, significant, stretch } from "../numbers/format.js";
+import { h, setText } from "../page/dom.js";
 import { createPicker } from "./picker.js";
 import { createWavelength } from "./wavelength.js";
-
-/** @typedef {import('../types.js').Material} Material */
 
 /** @param {string} word */
 function capital(word) {
@@ -94,7 +92,7 @@ export function createMedia({ materials, describe, onPick, onSwap, actions, pref
   return {
     element,
     stop: () => wavelength.stop(),
-    /** @param {import('../types.js').State} now */
+    /** @param {State} now */
     update(now) {
       wavelength.update(now);
       const { incident, material, n_i, n_t, k_t } = now;

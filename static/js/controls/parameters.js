@@ -1,19 +1,16 @@
 /** Controls of the models' own parameters, made from their declarations. */
 
-import { h, setText, symbol } from "../dom.js";
-import { sample } from "../explore/sample.js";
-import { ExpressionError, evaluate } from "../expression.js";
-import { plain } from "../format.js";
-import { defaultOf, stateName } from "../model-parameters.js";
-import { shortTitle } from "../model-traces.js";
-import { modelStyle } from "../palette.js";
+import { modelStyle } from "../models/look.js";
+import { defaultOf, stateName } from "../models/parameters.js";
+import { sample } from "../models/sample.js";
+import { shortTitle } from "../models/traces.js";
+import { ExpressionError, evaluate } from "../numbers/expression.js";
+import { plain } from "../numbers/format.js";
+import { h, setText, symbol } from "../page/dom.js";
 import { createChoice } from "./choice.js";
 import { createRow } from "./row.js";
 
 /**
- * @typedef {import('../types.js').Model} Model
- * @typedef {import('../types.js').Parameter} Parameter
- * @typedef {import('../types.js').State} State
  * @typedef {{element: HTMLElement, update: (value: any, solved?: number) => void, stop: () => void}} Control
  * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
  */

@@ -1,9 +1,7 @@
 /** One of the catalog's media: a field that is typed into, and the list of what fits. */
 
-import { h } from "../dom.js";
-import { distance } from "../nearest.js";
-
-/** @typedef {import('../types.js').Material} Material */
+import { h } from "../page/dom.js";
+import { distance } from "../state/nearest.js";
 
 const MOST_TYPOS = 2;
 let pickers = 0;

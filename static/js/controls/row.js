@@ -1,10 +1,10 @@
 /** A Manipulate row: symbol, name, number box; below it play, slider, range. */
 
-import { h, setText, symbol } from "../dom.js";
 import { put } from "../draw/svg.js";
-import { ExpressionError, evaluate } from "../expression.js";
-import { plain } from "../format.js";
-import { clamp, snap, stepped } from "../snap.js";
+import { ExpressionError, evaluate } from "../numbers/expression.js";
+import { plain } from "../numbers/format.js";
+import { clamp, snap, stepped } from "../numbers/snap.js";
+import { h, setText, symbol } from "../page/dom.js";
 
 const ROUNDING = 1e-12;
 

@@ -1,6 +1,6 @@
 /** On a phone the controls are a sheet at the bottom: a strip of values, one row, the rest on demand. */
 
-import { h, setText, symbol } from "../dom.js";
+import { h, setText, symbol } from "../page/dom.js";
 
 /**
  * @typedef {{name: string, symbol: string, row: {element: HTMLElement}, print: () => string}} Page

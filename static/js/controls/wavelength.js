@@ -1,13 +1,11 @@
 /** The wavelength of the light, shown where a named medium's indices vary with it. */
 
-import { isDispersive, knownRange } from "../constants.js";
-import { h, setText } from "../dom.js";
-import { plain, stretch } from "../format.js";
+import { isDispersive, knownRange } from "../media/constants.js";
+import { plain, stretch } from "../numbers/format.js";
+import { h, setText } from "../page/dom.js";
 import { createRow } from "./row.js";
 
 /**
- * @typedef {import('../types.js').Material} Material
- * @typedef {import('../types.js').State} State
  * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
  */
 

@@ -4,7 +4,7 @@
  */
 
 import { boxOf } from "../draw/boxes.js";
-import { angle, percent } from "../format.js";
+import { angle, percent } from "../numbers/format.js";
 import { arcChords, arrowSize, at, direction } from "./geometry.js";
 import { angleCandidates, arrowCandidates, placeAll } from "./labels.js";
 import { depthText, indexText } from "./words.js";
@@ -20,7 +20,7 @@ import { depthText, indexText } from "./words.js";
 /**
  * What is drawn, for the words to be about.
  * @typedef {object} Drawn
- * @property {import("../diagram.js").DiagramValues} values
+ * @property {import("./diagram.js").DiagramValues} values
  * @property {number} share reflected
  * @property {number} rest transmitted
  * @property {number | null} depth in vacuum wavelengths

@@ -1,6 +1,6 @@
 /** What the diagram says in words: short labels on it, and a description for those who hear it. */
 
-import { angle, percent, plain } from "../format.js";
+import { angle, percent, plain } from "../numbers/format.js";
 
 /**
  * @param {"n_i" | "n_t"} symbol

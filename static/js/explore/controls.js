@@ -4,16 +4,13 @@ import { createChoice } from "../controls/choice.js";
 import { createMedia } from "../controls/media.js";
 import { createRow } from "../controls/row.js";
 import { createSheet } from "../controls/sheet.js";
-import { h, setText, symbol } from "../dom.js";
-import { evaluateAngle } from "../expression.js";
-import { angle, inDegrees, inUnit, plain } from "../format.js";
-import { modelStyle } from "../palette.js";
-import { sample } from "./sample.js";
+import { modelStyle } from "../models/look.js";
+import { sample } from "../models/sample.js";
+import { evaluateAngle } from "../numbers/expression.js";
+import { angle, inDegrees, inUnit, plain } from "../numbers/format.js";
+import { h, setText, symbol } from "../page/dom.js";
 
 /**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').Parameter} Parameter
  * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
  * @typedef {Pick<import('../controls/row.js').RowOptions, 'label' | 'range' | 'wide' | 'steps'>} Manner
  */
@@ -241,7 +238,7 @@ export function createControls({ catalog, presets, state, actions, describeMedia
     },
     /**
      * @param {State} now
-     * @param {import('../types.js').Landmark[]} landmarks
+     * @param {Landmark[]} landmarks
      * @param {Map<string, string>} reasons why a model is outside its domain here
      */
     update(now, landmarks, reasons) {

@@ -1,16 +1,14 @@
 /** White light at the surface: where each wavelength goes, from the curves that the server computed. */
 
-import { knownRange } from "../constants.js";
-import { h, setText } from "../dom.js";
-import { angle } from "../format.js";
-import { locate, read } from "../interpolate.js";
-import { wavelengthColor } from "../materials/wavelength.js";
-import { values } from "./reading.js";
+import { values } from "../curves/reading.js";
+import { knownRange } from "../media/constants.js";
+import { wavelengthColor } from "../media/wavelength-color.js";
+import { angle } from "../numbers/format.js";
+import { locate, read } from "../numbers/interpolate.js";
+import { h, setText } from "../page/dom.js";
 import { spreadPaths } from "./spread-paths.js";
 
 /**
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').Material} Material
  * @typedef {{nm: number, theta_t_deg: number | null, color: string}} Ray
  */
 

@@ -1,11 +1,11 @@
 /** The numbers of the Explore view: shown with six digits, copied in full. */
 
-import { copyText, flash } from "../clipboard.js";
-import { h, setText, symbol } from "../dom.js";
-import { angle, inUnit, six } from "../format.js";
+import { angle, inUnit, six } from "../numbers/format.js";
+import { copyText, flash } from "../page/clipboard.js";
+import { h, setText, symbol } from "../page/dom.js";
 
 /**
- * @typedef {import('./reading.js').Reading} Reading
+ * @typedef {import('../curves/reading.js').Reading} Reading
  * @typedef {'deg' | 'rad'} Unit
  * @typedef {{name: string, heading: Node | string, get: (r: Reading) => number | null | undefined, degrees?: boolean,
  *   only?: (r: Reading) => boolean}} Entry

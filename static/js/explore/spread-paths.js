@@ -1,11 +1,6 @@
 /** What white light asks the server for. */
 
-import { knownRange, mediaAt } from "../constants.js";
-
-/**
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').Material} Material
- */
+import { knownRange, mediaAt } from "../media/constants.js";
 
 /** From violet to red, in nm. */
 const COLORS = [400, 450, 500, 550, 600, 650, 700];

@@ -1,19 +1,14 @@
 /** R over the angle at wavelengths of choice: Shirley's figure of copper, for any material. */
 
-import { h, setText } from "../dom.js";
-import { axesOf } from "../explore/traces.js";
-import { inDegrees, inUnit, plain } from "../format.js";
-import { locate, read } from "../interpolate.js";
-import { createPlot } from "../plots.js";
-import { LinkError } from "../state.js";
+import { axesOf } from "../curves/traces.js";
+import { wavelengthColor, wavelengthDash, wavelengthProperty } from "../media/wavelength-color.js";
+import { inDegrees, inUnit, plain } from "../numbers/format.js";
+import { locate, read } from "../numbers/interpolate.js";
+import { h, setText } from "../page/dom.js";
+import { createPlot } from "../plot/plot.js";
+import { LinkError } from "../state/state.js";
 import { SHIRLEY_NM, wavelengths } from "./fields.js";
 import { createPanel } from "./panel.js";
-import { wavelengthColor, wavelengthDash, wavelengthProperty } from "./wavelength.js";
-
-/**
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').Trace} Trace
- */
 
 /** The angle's axis as Explore shows it. @param {State} state */
 export function angleAxis({ angle }) {

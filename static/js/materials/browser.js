@@ -1,11 +1,9 @@
 /** The catalog: a search, two filters, the table of what they leave. */
 
-import { h, setText } from "../dom.js";
+import { h, setText } from "../page/dom.js";
 import { createPresetTable } from "./table.js";
 
 /**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
  * @typedef {import('./columns.js').Preset} Preset
  * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
  */

@@ -3,19 +3,13 @@
  * against the spectrum integrated at every angle.
  */
 
-import { h } from "../dom.js";
-import { inDegrees, inUnit, plain, significant } from "../format.js";
-import { locate, read } from "../interpolate.js";
-import { createPlot } from "../plots.js";
+import { inDegrees, inUnit, plain, significant } from "../numbers/format.js";
+import { locate, read } from "../numbers/interpolate.js";
+import { h } from "../page/dom.js";
+import { createPlot } from "../plot/plot.js";
 import { angleAxis } from "./angles.js";
 import { createPanel } from "./panel.js";
 import { presetOf } from "./queries.js";
-
-/**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').Trace} Trace
- */
 
 const CHANNELS = /** @type {const} */ ([
   ["red", "R", "--red"],
@@ -146,7 +140,7 @@ export function createColors({ parent, catalog, actions, save }) {
     },
   };
 
-  /** @param {State} state @param {import('../types.js').Material} preset @param {any} index @param {any} colors */
+  /** @param {State} state @param {Material} preset @param {any} index @param {any} colors */
   function draw(state, preset, index, colors) {
     /** @param {{theta_i_deg: number[]}} answer */
     const xOf = (answer) => answer.theta_i_deg.map((d) => inUnit(d, state.angle));

@@ -1,7 +1,7 @@
 /** The columns of the table of presets, and how it is sorted. */
 
-import { plain, significant } from "../format.js";
-import { byColumn } from "../sorted.js";
+import { plain, significant } from "../numbers/format.js";
+import { byColumn } from "../numbers/sorted.js";
 
 /**
  * @typedef {object} Preset as `/materials` lists it

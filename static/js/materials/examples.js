@@ -1,9 +1,8 @@
 /** Figures of the sources, one click each. */
 
-import { h } from "../dom.js";
+import { h } from "../page/dom.js";
 
 /**
- * @typedef {import('../types.js').State} State
  * @typedef {{id: string, title: string, source: string, state: State, show: string}} Example
  */
 

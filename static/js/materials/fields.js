@@ -1,12 +1,7 @@
 /** The state that the Materials view adds to the one all views share. */
 
-import { choice, LinkError, number, optional } from "../state.js";
+import { choice, LinkError, number, optional } from "../state/state.js";
 import { COLUMNS } from "./columns.js";
-
-/**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../state.js').Field} Field
- */
 
 /** The wavelengths of Shirley's figure of copper, in nm. */
 export const SHIRLEY_NM = Object.freeze([400, 500, 600, 700, 800]);

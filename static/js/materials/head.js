@@ -1,9 +1,7 @@
 /** The name of the chosen preset, what it is, and where to go with it. */
 
-import { h, setText } from "../dom.js";
-import { stretch } from "../format.js";
-
-/** @typedef {import('../types.js').State} State */
+import { stretch } from "../numbers/format.js";
+import { h, setText } from "../page/dom.js";
 
 /** Views whose second medium a material can be. */
 const TARGETS = ["explore", "compare", "albedo", "preview"];

@@ -1,13 +1,11 @@
 /** Reflectance over angle and wavelength. */
 
 import { createChoice } from "../controls/choice.js";
-import { h } from "../dom.js";
-import { inDegrees, inUnit, significant } from "../format.js";
+import { inDegrees, inUnit, significant } from "../numbers/format.js";
+import { h } from "../page/dom.js";
 import { createHeatmap } from "../plot/heatmap.js";
 import { angleAxis } from "./angles.js";
 import { createPanel } from "./panel.js";
-
-/** @typedef {import('../types.js').State} State */
 
 const NAMES = /** @type {Record<string, string>} */ ({ R: "R", Rs: "Rₛ", Rp: "Rₚ" });
 

@@ -1,14 +1,12 @@
 /** Constants and colors of the chosen preset: shown with six digits, copied in full. */
 
-import { copyText, flash } from "../clipboard.js";
 import { createChoice } from "../controls/choice.js";
-import { h, setText, symbol } from "../dom.js";
-import { ExpressionError, evaluate } from "../expression.js";
-import { plain, significant, six, stretch } from "../format.js";
+import { ExpressionError, evaluate } from "../numbers/expression.js";
+import { plain, significant, six, stretch } from "../numbers/format.js";
+import { copyText, flash } from "../page/clipboard.js";
+import { h, setText, symbol } from "../page/dom.js";
 import { POLICIES } from "./browser.js";
 import { paint } from "./table.js";
-
-/** @typedef {import('../types.js').State} State */
 
 const CONSTANTS = /** @type {const} */ ([
   ["n", "n"],

@@ -1,11 +1,11 @@
 /** A figure with its heading, its controls, what went wrong with it, its files and its data table. */
 
-import { h, setText } from "../dom.js";
-import { createExports } from "../exports.js";
+import { h, setText } from "../page/dom.js";
+import { createExports } from "../page/exports.js";
 import { createDataTables } from "../plot/data-table.js";
 
 /**
- * @typedef {import('../exports.js').Published & {exportAs: (format: 'png' | 'svg' | 'csv') => Promise<Blob>, table: () => HTMLTableElement,
+ * @typedef {import('../page/exports.js').Published & {exportAs: (format: 'png' | 'svg' | 'csv') => Promise<Blob>, table: () => HTMLTableElement,
  *   theme: () => void, destroy: () => void}} Figure
  * @typedef {ReturnType<typeof createPanel>} Panel
  */

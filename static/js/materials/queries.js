@@ -1,10 +1,5 @@
 /** What the Materials view asks the server for. */
 
-/**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
- */
-
 /** A cell's color needs no more digits. */
 const MAP_DIGITS = 4;
 const MAP_CELLS = { theta: 91, lambda: 201 };

@@ -1,18 +1,12 @@
 /** n and k over the wavelength, with what rival measurements span, or the reflectance that follows. */
 
 import { createChoice } from "../controls/choice.js";
-import { h } from "../dom.js";
-import { stretch } from "../format.js";
-import { createPlot } from "../plots.js";
+import { stretch } from "../numbers/format.js";
+import { h } from "../page/dom.js";
+import { createPlot } from "../plot/plot.js";
 import { known, spanned, valueAt, within } from "./band.js";
 import { createPanel } from "./panel.js";
 import { presetOf, rivalsOf } from "./queries.js";
-
-/**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').Trace} Trace
- */
 
 /** Where colors are computed from. @type {[number, number]} */
 const VISIBLE = [360, 830];

@@ -1,7 +1,7 @@
 /** The table of presets: one stop for the Tab key, arrows walk through it, the row walked to is shown. */
 
-import { h, setText } from "../dom.js";
-import { stretch } from "../format.js";
+import { stretch } from "../numbers/format.js";
+import { h, setText } from "../page/dom.js";
 import { COLUMNS, sortedPresets } from "./columns.js";
 
 /** @typedef {import('./columns.js').Preset} Preset */

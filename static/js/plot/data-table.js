@@ -1,6 +1,6 @@
 /** What plots draw as tables, below a line that opens them; filled only while they are open. */
 
-import { h } from "../dom.js";
+import { h } from "../page/dom.js";
 
 /**
  * @param {string} summary

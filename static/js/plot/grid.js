@@ -1,7 +1,7 @@
 /** A heat map's cells as a file and as a table to read. */
 
 import { plainText } from "../draw/symbols.js";
-import { plain } from "../format.js";
+import { plain } from "../numbers/format.js";
 import { pickedRows } from "./table.js";
 
 /**

@@ -8,7 +8,7 @@
 import { createMeasure } from "../draw/measure.js";
 import { put, px, show, svg } from "../draw/svg.js";
 import { plainText } from "../draw/symbols.js";
-import { plain } from "../format.js";
+import { plain } from "../numbers/format.js";
 import { createCells, putCells } from "./cells.js";
 import { scaleOf, stops } from "./colors.js";
 import { contour } from "./contour.js";

@@ -1,7 +1,7 @@
 /** What the colours of a heat map stand for, below it. */
 
 import { plainText } from "../draw/symbols.js";
-import { plain } from "../format.js";
+import { plain } from "../numbers/format.js";
 import { stops } from "./colors.js";
 
 /** @param {string} className @param {...(Node | string)} children */

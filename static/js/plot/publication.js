@@ -1,6 +1,6 @@
 /** A figure for a paper or a slide: its size there, the size of its letters, its ground and its caption. */
 
-import { h } from "../dom.js";
+import { h } from "../page/dom.js";
 import { textSize } from "./layout.js";
 import { readTheme } from "./theme.js";
 

@@ -1,7 +1,7 @@
 /** The curves as a table, for those who read a plot by ear. */
 
 import { plainText } from "../draw/symbols.js";
-import { plain, six } from "../format.js";
+import { plain, six } from "../numbers/format.js";
 import { joined } from "./csv.js";
 import { unitSuffix } from "./figure.js";
 

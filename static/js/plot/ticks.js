@@ -1,6 +1,6 @@
 /** Where an axis has its ticks and what they say. */
 
-import { plain } from "../format.js";
+import { plain } from "../numbers/format.js";
 
 /** @typedef {import("./model.js").Tick} Tick */
 /** @typedef {import("./model.js").Axis} Axis */

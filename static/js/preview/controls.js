@@ -5,16 +5,13 @@ import { createInterface } from "../controls/interface.js";
 import { createParameters } from "../controls/parameters.js";
 import { createRow } from "../controls/row.js";
 import { createSheet } from "../controls/sheet.js";
-import { h, setText } from "../dom.js";
-import { ExpressionError, evaluate } from "../expression.js";
-import { plain } from "../format.js";
+import { ExpressionError, evaluate } from "../numbers/expression.js";
+import { plain } from "../numbers/format.js";
+import { h, setText } from "../page/dom.js";
 import { BOUNDS, isOpaque, NONE } from "./fields.js";
 import { coloredMaterial, SIDES } from "./queries.js";
 
 /**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').Model} Model
- * @typedef {import('../types.js').State} State
  * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
  */
 

@@ -4,7 +4,6 @@ import { CHANNELS } from "./queries.js";
 import { INTERVALS, UNDEFINED } from "./shader.js";
 
 /**
- * @typedef {import('../types.js').Curves} Curves
  * @typedef {(number | null)[]} Values
  * @typedef {{theta_i_deg: number[], rgb: {curves: {model: string, R_red: Values, R_green: Values, R_blue: Values}[]}}} Colored
  */

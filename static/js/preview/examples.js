@@ -1,10 +1,9 @@
 /** Pictures of the sources, and comparisons worth a look, one click each. */
 
-import { h } from "../dom.js";
+import { h } from "../page/dom.js";
 import { BOUNDS, NONE } from "./fields.js";
 
 /**
- * @typedef {import('../types.js').State} State
  * @typedef {{id: string, title: string, source: string, state: State}} Example
  */
 

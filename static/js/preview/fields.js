@@ -1,15 +1,9 @@
 /** The state that the Preview view adds to the one all views share. */
 
-import { parameterFields } from "../model-parameters.js";
-import { snippetFields } from "../snippets/fields.js";
-import { choice, LinkError, number, whole } from "../state.js";
-import { tableFields } from "../tables/fields.js";
-
-/**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
- * @typedef {import('../state.js').Field} Field
- */
+import { parameterFields } from "../models/parameters.js";
+import { choice, LinkError, number, whole } from "../state/state.js";
+import { snippetFields } from "../takeaway/code-fields.js";
+import { tableFields } from "../takeaway/table-fields.js";
 
 /** Without any reflection, as in Wloka's figure 14; all else is a registered model. */
 export const NONE = "none";

@@ -1,15 +1,13 @@
 /** What the Preview view asks the server for. */
 
-import { isDispersive } from "../constants.js";
-import { parameterQuery, stateName } from "../model-parameters.js";
-import { mediaQuery, path } from "../questions.js";
-import { codeOf, snippetPath } from "../snippets/fields.js";
-import { lutPath } from "../tables/queries.js";
+import { isDispersive } from "../media/constants.js";
+import { parameterQuery, stateName } from "../models/parameters.js";
+import { mediaQuery, path } from "../server/questions.js";
+import { codeOf, snippetPath } from "../takeaway/code-fields.js";
+import { lutPath } from "../takeaway/table-queries.js";
 import { isEven, isPaint, NONE, withCode } from "./fields.js";
 
 /**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
  * @typedef {'left' | 'right'} Side
  */
 

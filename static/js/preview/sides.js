@@ -6,8 +6,6 @@ import { queries, SIDES, sidePaths } from "./queries.js";
 import { UNDEFINED } from "./shader.js";
 
 /**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
  * @typedef {import('./renderer.js').Renderer} Renderer
  */
 

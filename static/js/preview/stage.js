@@ -1,14 +1,13 @@
 /** The picture: a canvas to turn, the line between its halves, and when it is drawn how finely. */
 
-import { h, setText } from "../dom.js";
-import { signed } from "../format.js";
+import { signed } from "../numbers/format.js";
+import { h, setText } from "../page/dom.js";
 import { cameraAt } from "./camera.js";
 import { differenceOf } from "./difference.js";
 import { BOUNDS } from "./fields.js";
 import { createRenderer } from "./renderer.js";
 
 /**
- * @typedef {import('../types.js').State} State
  * @typedef {import('./renderer.js').Picture} Picture
  * @typedef {import('./renderer.js').Show} Show
  */

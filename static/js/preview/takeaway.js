@@ -1,13 +1,11 @@
 /** Code and tables of the models on the sides, below the picture; made when the reader comes near. */
 
-import { h } from "../dom.js";
-import { freshOf } from "../questions.js";
+import { h } from "../page/dom.js";
+import { freshOf } from "../server/questions.js";
 import { withCode } from "./fields.js";
 import { later } from "./queries.js";
 
 /**
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').ViewContext} ViewContext
  * @typedef {{title: string, lines: string[]}} Told
  */
 
@@ -23,8 +21,8 @@ export function createTakeaway({ catalog, state, actions, say, save }) {
 
   async function make() {
     const [{ createSnippets }, { createTables }] = await Promise.all([
-      import("../snippets/panel.js"),
-      import("../tables/panel.js"),
+      import("../takeaway/code.js"),
+      import("../takeaway/table.js"),
     ]);
     const snippets = createSnippets({ models: catalog.models, actions, say, save });
     element.append(snippets.element);

@@ -1,7 +1,7 @@
 /** What a caption says of a figure: what it shows, of what, after whom, and how to make it again. */
 
-import { load } from "../api.js";
-import { plain } from "../format.js";
+import { plain } from "../numbers/format.js";
+import { load } from "../server/api.js";
 
 /**
  * @typedef {{id: string, title: string, reference: string}} Entry

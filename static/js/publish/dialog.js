@@ -1,15 +1,15 @@
 /** The sheet where a figure is fitted to a paper or a slide: ground, size, letters, caption, and a preview. */
 
-import { load } from "../api.js";
-import { h, setText } from "../dom.js";
-import { saveEach } from "../exports.js";
+import { h, setText } from "../page/dom.js";
+import { saveEach } from "../page/exports.js";
+import { loadStyle } from "../page/style.js";
 import { tooSmall } from "../plot/publication.js";
-import { loadStyle } from "../style.js";
+import { load } from "../server/api.js";
 import { captionOf } from "./caption.js";
 import { mediaBehind } from "./media.js";
 
 /**
- * @typedef {import("../exports.js").Published} Published
+ * @typedef {import("../page/exports.js").Published} Published
  * @typedef {import("../plot/publication.js").Publication} Publication
  * @typedef {object} Task
  * @property {Published[]} figures

@@ -2,7 +2,7 @@
 
 /**
  * @typedef {object} Behind
- * @property {import("../types.js").State | null} [state] whose media they are
+ * @property {State | null} [state] whose media they are
  * @property {readonly string[]} [indices] of `n_i`, `n_t` and `k_t`, those that the figure holds fixed
  * @property {readonly string[]} [presets] that it shows over their wavelengths
  */

@@ -1,13 +1,12 @@
 /** Claims of the literature and of popular code beside what is measured, each with its request. */
 
-import { h, setText } from "../dom.js";
-import { EXAMPLES } from "../examples.js";
-import { percent, signed, significant } from "../format.js";
-import { pageLink } from "../links.js";
-import { words } from "../prose.js";
+import { EXAMPLES } from "../models/examples.js";
+import { percent, signed, significant } from "../numbers/format.js";
+import { h, setText } from "../page/dom.js";
+import { pageLink } from "../page/links.js";
+import { words } from "../page/prose.js";
 
 /**
- * @typedef {import('../types.js').State} State
  * @typedef {{name: string, says: string, value: number, unit: string, request: string, reading: string}} Figure
  * @typedef {{says: string, figure: string, holds: boolean}} Part
  * @typedef {{author: string, year: number, title: string, url: string, where: string}} Source

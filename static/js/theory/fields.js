@@ -1,15 +1,12 @@
 /** The state that the Theory view adds to the one all views share. */
 
-import { albedoFields } from "../albedo/fields.js";
-import { choice, LinkError, number } from "../state.js";
+import { coatFields } from "../coat/fields.js";
+import { choice, LinkError, number } from "../state/state.js";
 import { decode } from "./mystery-code.js";
 import { STEPS } from "./steps.js";
 import { TRAPS } from "./trap-cards.js";
 
 /**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
- * @typedef {import('../state.js').Field} Field
  * @typedef {import('./lesson.js').Lesson} Lesson
  */
 
@@ -44,14 +41,12 @@ const oneOf = (options) =>
   text((given) => options.includes(given), `allowed is one of ${options.join(", ")}`);
 
 /** @param {Catalog} catalog @returns {Record<string, Field>} */
-export function theoryFields(catalog) {
-  const { parameters, materials } = catalog;
+export function theoryFields({ parameters, materials }) {
   /** @param {string} name */
   const own = (name) => {
     const declared = parameters.find((p) => p.name === name);
     return number({ minimum: 0, maximum: 100, ...declared, default: null });
   };
-  const { coat_n, coat_body, coat_light, coat_theta } = albedoFields(catalog);
   return {
     section: choice(
       "path",
@@ -77,6 +72,6 @@ export function theoryFields(catalog) {
     own_deg: own("theta_i_deg"),
     own_pol: oneOf(["s", "p", "unpolarized"]),
     own_of: oneOf(materials.map((m) => m.id)),
-    .../** @type {Record<string, Field>} */ ({ coat_n, coat_body, coat_light, coat_theta }),
+    ...coatFields(parameters),
   };
 }

@@ -1,21 +1,19 @@
 /** The collection of formulas: found by a word, each with its letters, source, error and live curve. */
 
-import { copyText, flash } from "../clipboard.js";
 import { createRow } from "../controls/row.js";
-import { h, setText } from "../dom.js";
-import { plain, signed, significant } from "../format.js";
-import { locate, read } from "../interpolate.js";
-import { pageLink } from "../links.js";
-import { shortTitle } from "../model-traces.js";
-import { modelStyle } from "../palette.js";
+import { modelStyle } from "../models/look.js";
+import { shortTitle } from "../models/traces.js";
+import { plain, signed, significant } from "../numbers/format.js";
+import { locate, read } from "../numbers/interpolate.js";
+import { copyText, flash } from "../page/clipboard.js";
+import { h, setText } from "../page/dom.js";
+import { pageLink } from "../page/links.js";
+import { display, math, pieces, words } from "../page/prose.js";
 import { createDataTables } from "../plot/data-table.js";
-import { createPlot } from "../plots.js";
-import { display, math, pieces, words } from "../prose.js";
+import { createPlot } from "../plot/plot.js";
 import { UNTOUCHED } from "./fields.js";
 
 /**
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').ViewContext} ViewContext
  * @typedef {{latex: string, meaning: string, unit: string}} Sign
  * @typedef {{value: number, of: string, over: string, against: string, relative: boolean, at_most: boolean, unit: string}} Accuracy
  * @typedef {{name: string, symbol: string, value: number, minimum: number, maximum: number}} Taken
@@ -171,7 +169,7 @@ export function createFormulas({ catalog, actions, say }) {
   let shown = "";
   /** @type {FormulaCurve | null} */
   let drawn = null;
-  /** @type {import('../types.js').Trace[]} */
+  /** @type {Trace[]} */
   let traces = [];
   /** @type {Map<string, ReturnType<typeof createRow>>} */
   let rows = new Map();

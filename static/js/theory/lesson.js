@@ -1,12 +1,11 @@
-import { rowsOf } from "../compare/answers.js";
-import { values } from "../explore/reading.js";
-import { locate, read } from "../interpolate.js";
+import { values } from "../curves/reading.js";
+import { rowsOf } from "../errors/answers.js";
+import { locate, read } from "../numbers/interpolate.js";
 
 /**
  * What a lesson is, and the numbers that hold in it: its own, until the reader moves them.
  *
- * @typedef {import('../types.js').State} State
- * @typedef {import('../explore/reading.js').Reading} Reading
+ * @typedef {import('../curves/reading.js').Reading} Reading
  * @typedef {{n_i: number, n_t: number, k_t: number, deg: number, polarization: string, of: string}} Setting
  * @typedef {{setting: Setting, reading: Reading | null, answers: Record<string, any>, state: State}} Scene what is
  *   on the picture now

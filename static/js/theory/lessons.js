@@ -1,19 +1,17 @@
 /** Lessons one after the other: the text, a picture to touch, things to try, where to go on. */
 
-import { createCoat } from "../albedo/coat.js";
-import { h, setText } from "../dom.js";
-import { landmarksOf } from "../explore/reading.js";
-import { percent, plain } from "../format.js";
-import { pageLink } from "../links.js";
-import { pieces } from "../prose.js";
+import { createCoat } from "../coat/coat.js";
+import { landmarksOf } from "../curves/reading.js";
+import { percent, plain } from "../numbers/format.js";
+import { h, setText } from "../page/dom.js";
+import { pageLink } from "../page/links.js";
+import { pieces } from "../page/prose.js";
 import { UNTOUCHED } from "./fields.js";
 import { settingOf } from "./lesson.js";
 import { createRows } from "./rows.js";
 import { createStage } from "./stage.js";
 
 /**
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').ViewContext} ViewContext
  * @typedef {import('./lesson.js').Lesson} Lesson
  * @typedef {import('./lesson.js').Scene} Scene
  */

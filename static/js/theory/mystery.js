@@ -1,14 +1,14 @@
 /** A material to guess: its curve is given, n and k are to be found. A link sends one to others. */
 
-import { copyText, flash } from "../clipboard.js";
-import { NEGLIGIBLE } from "../constants.js";
-import { h, setText } from "../dom.js";
-import { landmarksOf, values } from "../explore/reading.js";
-import { ExpressionError, evaluate } from "../expression.js";
-import { angle, percent, plain } from "../format.js";
-import { locate, read } from "../interpolate.js";
-import { addressOf } from "../links.js";
-import { pieces } from "../prose.js";
+import { landmarksOf, values } from "../curves/reading.js";
+import { NEGLIGIBLE } from "../media/constants.js";
+import { ExpressionError, evaluate } from "../numbers/expression.js";
+import { angle, percent, plain } from "../numbers/format.js";
+import { locate, read } from "../numbers/interpolate.js";
+import { copyText, flash } from "../page/clipboard.js";
+import { h, setText } from "../page/dom.js";
+import { addressOf } from "../page/links.js";
+import { pieces } from "../page/prose.js";
 import { UNTOUCHED } from "./fields.js";
 import { settingOf } from "./lesson.js";
 import { decode, encode } from "./mystery-code.js";
@@ -17,9 +17,7 @@ import { createRows } from "./rows.js";
 import { createStage } from "./stage.js";
 
 /**
- * @typedef {import('../types.js').State} State
  * @typedef {import('../plot/model.js').Trace} Trace
- * @typedef {import('../types.js').ViewContext} ViewContext
  */
 
 /** How near is found: what a slider can be set to without patience. */

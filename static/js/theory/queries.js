@@ -1,13 +1,12 @@
 /** What the Theory view asks the server for. */
 
-import { coatPath } from "../albedo/queries.js";
+import { coatPath } from "../coat/fields.js";
 import { lessonQueries, media, settingOf } from "./lesson.js";
 import { decode } from "./mystery-code.js";
 import { STEPS } from "./steps.js";
 import { TRAPS } from "./trap-cards.js";
 
 /**
- * @typedef {import('../types.js').State} State
  * @typedef {import('./lesson.js').Lesson} Lesson
  */
 

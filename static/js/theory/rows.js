@@ -2,13 +2,11 @@
 
 import { createChoice } from "../controls/choice.js";
 import { createRow } from "../controls/row.js";
-import { h } from "../dom.js";
-import { evaluateAngle } from "../expression.js";
-import { inDegrees, plain } from "../format.js";
+import { evaluateAngle } from "../numbers/expression.js";
+import { inDegrees, plain } from "../numbers/format.js";
+import { h } from "../page/dom.js";
 
 /**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
  * @typedef {import('./lesson.js').RowName} RowName
  * @typedef {import('./lesson.js').Setting} Setting
  * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions

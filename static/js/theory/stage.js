@@ -1,21 +1,20 @@
 /** The picture of a lesson: the ray at the surface beside its curves, or a metal's colors. */
 
-import { createDiagram } from "../diagram.js";
-import { h, setText } from "../dom.js";
-import { landmarksOf, readingAt, values } from "../explore/reading.js";
-import { createSplit } from "../explore/split.js";
-import { axesOf } from "../explore/traces.js";
-import { locate, read } from "../interpolate.js";
-import { CHANNELS, modelTraces } from "../model-traces.js";
+import { landmarksOf, readingAt, values } from "../curves/reading.js";
+import { axesOf } from "../curves/traces.js";
+import { createDiagram } from "../diagram/diagram.js";
+import { createSplit } from "../diagram/split.js";
+import { CHANNELS, modelTraces } from "../models/traces.js";
+import { locate, read } from "../numbers/interpolate.js";
+import { clamp, snap, stepped } from "../numbers/snap.js";
+import { h, setText } from "../page/dom.js";
 import { createDataTables } from "../plot/data-table.js";
-import { createPlot } from "../plots.js";
-import { clamp, snap, stepped } from "../snap.js";
+import { createPlot } from "../plot/plot.js";
 import { DEGREES } from "./rows.js";
 
 /**
- * @typedef {import('../types.js').Catalog} Catalog
  * @typedef {import('../plot/model.js').Trace} Trace
- * @typedef {import('../explore/reading.js').Reading} Reading
+ * @typedef {import('../curves/reading.js').Reading} Reading
  * @typedef {import('./lesson.js').Lesson} Lesson
  * @typedef {import('./lesson.js').Setting} Setting
  */

@@ -3,7 +3,7 @@
  * (Fresnel Equations, Schlick Approximation, Metals, and Dielectrics, 2020), in our words.
  */
 
-import { angle, percent, plain } from "../format.js";
+import { angle, percent, plain } from "../numbers/format.js";
 import { errorOf, shareBy } from "./lesson.js";
 
 /** @typedef {import('./lesson.js').Lesson} Lesson */

@@ -1,6 +1,6 @@
 /** Mistakes that are easily made and hard to see, each with the right thing beside it. */
 
-import { angle, percent, plain } from "../format.js";
+import { angle, percent, plain } from "../numbers/format.js";
 import { errorOf, shareBy } from "./lesson.js";
 
 /** @typedef {import('./lesson.js').Lesson} Lesson */

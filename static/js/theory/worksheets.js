@@ -1,8 +1,8 @@
 /** Worksheets: tasks whose links open the page as the task wants it. */
 
-import { h } from "../dom.js";
-import { pageLink } from "../links.js";
-import { pieces } from "../prose.js";
+import { h } from "../page/dom.js";
+import { pageLink } from "../page/links.js";
+import { pieces } from "../page/prose.js";
 
 /**
  * @typedef {object} Sheet

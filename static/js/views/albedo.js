@@ -2,23 +2,21 @@
 
 import { sideOf } from "../albedo/answers.js";
 import { createClaims } from "../albedo/claims-table.js";
-import { createCoat } from "../albedo/coat.js";
 import { createControls } from "../albedo/controls.js";
 import { albedoFields, chosenFits, facing, isMetal } from "../albedo/fields.js";
 import { createMap } from "../albedo/map.js";
 import { createPlots } from "../albedo/plots.js";
 import { createReading, direction } from "../albedo/reading.js";
-import { h } from "../dom.js";
-import { createDefinitions } from "../explore/definitions.js";
-import { six } from "../format.js";
-import { loadStyle } from "../style.js";
+import { createCoat } from "../coat/coat.js";
+import { createDefinitions } from "../models/definitions.js";
+import { six } from "../numbers/format.js";
+import { h } from "../page/dom.js";
+import { loadStyle } from "../page/style.js";
 
 export { queries, restCalls } from "../albedo/queries.js";
 export const fields = albedoFields;
 
 /**
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').ViewContext} ViewContext
  * @typedef {import('../albedo/answers.js').Fit} Fit
  */
 

@@ -1,31 +1,26 @@
 /** Compare: exact against the models, how wrong each is and where, and which will do. */
 
-import { candidatesOf, rowsOf } from "../compare/answers.js";
 import { createControls } from "../compare/controls.js";
 import { createConvert } from "../compare/convert.js";
 import { createExamples } from "../compare/examples.js";
 import { compareFields, isMap, withCode } from "../compare/fields.js";
 import { createFigure } from "../compare/figure.js";
-import { short } from "../compare/metrics.js";
 import { createPlots } from "../compare/plots.js";
 import { later, queries, restCalls } from "../compare/queries.js";
 import { createRecommend } from "../compare/recommend.js";
 import { createTable } from "../compare/table.js";
-import { h } from "../dom.js";
-import { createDefinitions } from "../explore/definitions.js";
-import { angle } from "../format.js";
-import { freshOf } from "../questions.js";
-import { createSnippets } from "../snippets/panel.js";
-import { loadStyle } from "../style.js";
-import { createTables } from "../tables/panel.js";
+import { candidatesOf, rowsOf } from "../errors/answers.js";
+import { short } from "../errors/metrics.js";
+import { createDefinitions } from "../models/definitions.js";
+import { angle } from "../numbers/format.js";
+import { h } from "../page/dom.js";
+import { loadStyle } from "../page/style.js";
+import { freshOf } from "../server/questions.js";
+import { createSnippets } from "../takeaway/code.js";
+import { createTables } from "../takeaway/table.js";
 
 export { later, queries, restCalls };
 export const fields = compareFields;
-
-/**
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').ViewContext} ViewContext
- */
 
 await Promise.all(
   ["compare", "compare-errors", "convert", "heatmap"].map((name) => loadStyle(`css/${name}.css`)),
@@ -52,7 +47,7 @@ export function createView({
     state,
     actions,
     describeMedia,
-    family: /** @type {import('../state.js').Field} */ (compareFields(catalog).family),
+    family: /** @type {Field} */ (compareFields(catalog).family),
   });
   const examples = createExamples({ presets, actions });
   element.append(controls.element, examples.element);
@@ -99,7 +94,7 @@ export function createView({
       before = answers;
       const { curves, errors } = answers;
       const reasons = new Map(
-        (curves?.curves ?? []).flatMap((/** @type {import('../types.js').Curve} */ c) =>
+        (curves?.curves ?? []).flatMap((/** @type {Curve} */ c) =>
           c.reason && c.model !== "exact" ? [[c.model, c.reason]] : [],
         ),
       );

@@ -1,26 +1,23 @@
 /** Explore: the ray at the surface beside the Fresnel curves. */
 
 import { nameable } from "../controls/media.js";
-import { createDiagram } from "../diagram.js";
-import { h } from "../dom.js";
+import { allLandmarksOf, readingAt } from "../curves/reading.js";
+import { axesOf, marksOf, tracesOf } from "../curves/traces.js";
+import { createDiagram } from "../diagram/diagram.js";
+import { createSplit } from "../diagram/split.js";
 import { ANGLE_STEPS, createControls } from "../explore/controls.js";
 import { createNumbers } from "../explore/numbers.js";
-import { allLandmarksOf, readingAt } from "../explore/reading.js";
-import { createSplit } from "../explore/split.js";
 import { spreadPaths } from "../explore/spread-paths.js";
-import { axesOf, marksOf, tracesOf } from "../explore/traces.js";
-import { createExports } from "../exports.js";
-import { angle, inDegrees, inUnit, percent } from "../format.js";
-import { parameterFields, parameterQuery } from "../model-parameters.js";
+import { parameterFields, parameterQuery } from "../models/parameters.js";
+import { angle, inDegrees, inUnit, percent } from "../numbers/format.js";
+import { clamp, snap, stepped } from "../numbers/snap.js";
+import { h } from "../page/dom.js";
+import { createExports } from "../page/exports.js";
 import { createDataTables } from "../plot/data-table.js";
-import { createPlot } from "../plots.js";
-import { clamp, snap, stepped } from "../snap.js";
-import { choice, list } from "../state.js";
+import { createPlot } from "../plot/plot.js";
+import { choice, list } from "../state/state.js";
 
 /**
- * @typedef {import('../types.js').Catalog} Catalog
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').ViewContext} ViewContext
  * @typedef {typeof import('../explore/dispersion.js')} Dispersion
  */
 
@@ -64,7 +61,7 @@ export function createView({
   fold.addEventListener(
     "toggle",
     async () => {
-      const { createDefinitions } = await import("../explore/definitions.js");
+      const { createDefinitions } = await import("../models/definitions.js");
       definitions = createDefinitions(catalog.models, typeset, describe, fold);
       if (now) definitions.update(now.models);
     },
@@ -190,7 +187,7 @@ export function createView({
   /** @param {boolean} moving */
   function draw(moving) {
     if (!now) return;
-    const shown = /** @type {import('../explore/traces.js').Shown} */ ({
+    const shown = /** @type {import('../curves/traces.js').Shown} */ ({
       ...now,
       marks: now.marks === "on",
     });
@@ -286,7 +283,7 @@ export function createView({
 
 /** @param {any} curves @returns {Map<string, string>} why a model is outside its domain here */
 function reasonsOf(curves) {
-  /** @type {import('../types.js').Curve[]} */
+  /** @type {Curve[]} */
   const all = curves?.curves ?? [];
   return new Map(all.flatMap((c) => (c.reason ? [[c.model, c.reason]] : [])));
 }

@@ -1,7 +1,5 @@
 /** Materials: the catalog, and all that is known of the chosen preset. */
 
-import { h } from "../dom.js";
-import { percent, plain } from "../format.js";
 import { createAngles } from "../materials/angles.js";
 import { createBrowser } from "../materials/browser.js";
 import { createColors } from "../materials/colors.js";
@@ -13,15 +11,12 @@ import { createNumbers } from "../materials/numbers.js";
 import { presetOf, shown } from "../materials/queries.js";
 import { createRivals, createSource } from "../materials/source.js";
 import { createSpectrum } from "../materials/spectrum.js";
-import { loadStyle } from "../style.js";
+import { percent, plain } from "../numbers/format.js";
+import { h } from "../page/dom.js";
+import { loadStyle } from "../page/style.js";
 
 export { queries, restCalls } from "../materials/queries.js";
 export const fields = materialFields;
-
-/**
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').ViewContext} ViewContext
- */
 
 await Promise.all(["heatmap", "materials"].map((name) => loadStyle(`css/${name}.css`)));
 

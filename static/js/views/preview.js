@@ -1,10 +1,11 @@
 /** Preview: a scene rendered with one model on the left and another on the right, and how far they are apart. */
 
-import { copyText, flash } from "../clipboard.js";
 import { createChoice } from "../controls/choice.js";
 import { createRow } from "../controls/row.js";
-import { h, setText } from "../dom.js";
-import { plain, significant } from "../format.js";
+import { plain, significant } from "../numbers/format.js";
+import { copyText, flash } from "../page/clipboard.js";
+import { h, setText } from "../page/dom.js";
+import { loadStyle } from "../page/style.js";
 import { createControls } from "../preview/controls.js";
 import { createExamples } from "../preview/examples.js";
 import { BOUNDS, isEven, isOpaque, isPaint, NONE, previewFields } from "../preview/fields.js";
@@ -13,14 +14,11 @@ import { BODY, HOW } from "../preview/shader.js";
 import { createSides } from "../preview/sides.js";
 import { createStage } from "../preview/stage.js";
 import { createTakeaway } from "../preview/takeaway.js";
-import { loadStyle } from "../style.js";
 
 export { later, queries, restCalls } from "../preview/queries.js";
 export const fields = previewFields;
 
 /**
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').ViewContext} ViewContext
  * @typedef {import('../preview/difference.js').Difference} Difference
  */
 
@@ -203,9 +201,7 @@ export function createView({
     const [path] = Object.values(sidePaths(now, catalog, side));
     const reason = sides
       .answer(path)
-      ?.curves?.find(
-        (/** @type {import('../types.js').Curve} */ c) => c.model === now[side],
-      )?.reason;
+      ?.curves?.find((/** @type {Curve} */ c) => c.model === now[side])?.reason;
     return reason ? `Outside its domain: ${reason}` : "";
   }
 

@@ -1,20 +1,18 @@
 /** Theory: a first path, every formula, claims measured, traps, a material to guess, worksheets. */
 
-import { h } from "../dom.js";
-import { pageLink } from "../links.js";
-import { loadStyle } from "../style.js";
+import { h } from "../page/dom.js";
+import { pageLink } from "../page/links.js";
+import { loadStyle } from "../page/style.js";
+import { loadKatex } from "../page/typeset.js";
 import { SECTIONS, theoryFields, UNTOUCHED } from "../theory/fields.js";
 import { createLessons } from "../theory/lessons.js";
 import { STEPS } from "../theory/steps.js";
 import { TRAPS } from "../theory/trap-cards.js";
-import { loadKatex } from "../typeset.js";
 
 export { queries, restCalls } from "../theory/queries.js";
 export const fields = theoryFields;
 
 /**
- * @typedef {import('../types.js').State} State
- * @typedef {import('../types.js').ViewContext} ViewContext
  * @typedef {object} Section
  * @property {HTMLElement} element
  * @property {(now: State, answers: Record<string, any>, moving: boolean) => void} [update]

@@ -1,0 +1,24 @@
+/** What the picture of glossy paint adds to the state, and what it asks the server for. */
+
+import { path } from "../server/questions.js";
+import { choice, number } from "../state/state.js";
+
+/** @param {Parameter[]} parameters @returns {Record<string, Field>} */
+export function coatFields(parameters) {
+  const n = parameters.find((p) => p.name === "n_t") ?? { minimum: 1e-3, maximum: 100 };
+  return {
+    coat_n: number({ ...n, default: 1.5 }),
+    coat_body: number({ default: 0.5, minimum: 0, maximum: 1 }),
+    coat_light: choice("diffuse", ["diffuse", "ray"]),
+    coat_theta: number({ default: 45, minimum: 0, maximum: 90 }),
+  };
+}
+
+/** @param {State} state */
+export function coatPath({ coat_n, coat_body, coat_light, coat_theta }) {
+  return path("/albedo/coat", [
+    `n_t=${coat_n}`,
+    `body_albedo=${coat_body}`,
+    coat_light === "ray" && `theta_i_deg=${coat_theta}`,
+  ]);
+}

@@ -1,0 +1,228 @@
+/**
+ * The ray at the surface, to scale: arrows as long as the light they carry, angles as they are,
+ * media tinted by their index, the light below the surface fading with its true depth.
+ *
+ * It shows what it is given and reports what the pointer asks for; it computes no optics.
+ */
+
+import { put, px, show } from "../draw/svg.js";
+import { angle } from "../numbers/format.js";
+import { readTheme } from "../plot/theme.js";
+import { createAnnotations } from "./annotate.js";
+import { listenForDrags } from "./drag.js";
+import { createFan } from "./fan.js";
+import { arcPath, at, direction, stageOf, tint } from "./geometry.js";
+import { setArrow, setDecay, setIncident, setLine, setScale, setSigns } from "./paint.js";
+import { createScene } from "./scene.js";
+import { description } from "./words.js";
+
+/**
+ * @typedef {object} DiagramValues
+ * @property {{n_i: number, n_t: number, k_t: number}} interface
+ * @property {number} theta_i_deg
+ * @property {number | null} theta_t_deg
+ * @property {number} R
+ * @property {number} Rs
+ * @property {number} Rp
+ * @property {number} T
+ * @property {number} [Ts]
+ * @property {number} [Tp]
+ * @property {boolean} tir
+ * @property {number | null} penetration_depth_wavelengths
+ * @property {"s" | "p" | "unpolarized"} polarization
+ * @property {{incident: string, transmitted: string}} labels
+ * @property {"deg" | "rad"} angleUnit
+ * @property {readonly {deg: number, label: string}[]} landmarks
+ * @property {readonly {nm: number, theta_t_deg: number | null, color: string}[]} [dispersion] refracted rays
+ *   of white light, in place of the one
+ */
+
+/** @typedef {import("./drag.js").DragActions} DiagramActions */
+
+/** The smallest host that is worth drawing into; a hidden one has no size. */
+const SMALLEST = 40;
+/** ms without a change after which the picture is described. */
+const STILL = 150;
+
+/**
+ * @param {HTMLElement} element
+ */
+function createHandle(element) {
+  const handle = document.createElement("div");
+  handle.className = "diagram-handle";
+  handle.tabIndex = 0;
+  handle.setAttribute("role", "slider");
+  handle.setAttribute("aria-label", "Incident ray, angle of incidence");
+  handle.setAttribute("aria-valuemin", "0");
+  handle.setAttribute("aria-valuemax", "90");
+  element.append(handle);
+  return handle;
+}
+
+/**
+ * What of each polarization is passed on, of the light that is sent in.
+ * @param {DiagramValues} values
+ */
+function sharesOf({ polarization, R, Rs, Rp, T, Ts = 1 - Rs, Tp = 1 - Rp }) {
+  const s = polarization === "p" ? 0 : 1;
+  const p = polarization === "s" ? 0 : 1;
+  const [share, rest] = { s: [Rs, Ts], p: [Rp, Tp], unpolarized: [R, T] }[polarization];
+  return {
+    share: share ?? 0,
+    rest: rest ?? 0,
+    incident: { s, p },
+    reflected: { s: s * Rs, p: p * Rp },
+    refracted: { s: s * Ts, p: p * Tp },
+  };
+}
+
+/**
+ * @param {HTMLElement} element
+ * @param {DiagramActions} actions
+ */
+export function createDiagram(element, actions) {
+  element.classList.add("diagram");
+  element.setAttribute("role", "figure");
+  element.setAttribute("aria-label", "Ray at the surface");
+  const scene = createScene();
+  const fan = createFan(scene.refracted.group);
+  element.append(scene.root);
+  const handle = createHandle(element);
+  const said = document.createElement("p");
+  said.className = "diagram-said";
+  element.append(said);
+
+  const words = createAnnotations(scene);
+  let { unit } = readTheme(element);
+  let stage = stageOf(480, 480, unit);
+  /** @type {DiagramValues | null} */
+  let values = null;
+
+  /** What depends on the size alone. */
+  const layStage = () => {
+    const { width, height, x, y, length, normal } = stage;
+    // A size of its own: one that follows the host's is laid out anew in each pass over the page.
+    put(scene.root, "width", width);
+    put(scene.root, "height", height);
+    put(scene.upper, "width", width);
+    put(scene.upper, "height", y);
+    for (const rect of [scene.lower, scene.dark, scene.light]) {
+      put(rect, "y", y);
+      put(rect, "width", width);
+      put(rect, "height", height - y);
+    }
+    setLine(scene.normal, { x, y: normal.top }, { x, y: normal.bottom });
+    setLine(scene.surface, { x: 0, y }, { x: width, y });
+    put(scene.protractor, "d", arcPath(stage, length, 90, "incident"));
+    setScale(scene, stage);
+  };
+
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let speech;
+  /** @param {Parameters<typeof description>[0]} shown what is drawn, said once it stands still */
+  const describe = (shown) => {
+    clearTimeout(speech);
+    speech = setTimeout(() => {
+      said.textContent = description(shown);
+    }, STILL);
+  };
+
+  const render = () => {
+    if (!values) return;
+    const { theta_i_deg, theta_t_deg, tir, polarization } = values;
+    const { n_i, n_t, k_t } = values.interface;
+    const { share, rest: passed, incident, reflected, refracted } = sharesOf(values);
+    const rest = tir ? 0 : passed;
+    const absorbing = k_t > 0;
+    const depth = tir || absorbing ? values.penetration_depth_wavelengths : null;
+
+    element.toggleAttribute("data-absorbing", absorbing);
+    // on the media alone: what is set on the host is inherited, and all of it is styled anew
+    put(scene.upper, "style", `--tint: ${(tint(n_i) * 100).toFixed(1)}%`);
+    put(scene.lower, "style", `--tint: ${(tint(n_t) * 100).toFixed(1)}%`);
+    setDecay(scene.dark, scene.darkness, stage, absorbing ? depth : null);
+    setDecay(scene.light, scene.glow, stage, tir ? depth : null);
+    show(scene.scaleBar, depth !== null);
+    show(scene.scaleText, depth !== null);
+
+    const back = direction(theta_i_deg, "incident");
+    const up = direction(theta_i_deg, "reflected");
+    const down = tir || theta_t_deg === null ? null : direction(theta_t_deg, "refracted");
+    const source = at(stage, back, stage.length);
+    setIncident(scene.incident, stage, back);
+    setLine(scene.grip, source, stage);
+    put(scene.arcIncident, "d", arcPath(stage, stage.arc, theta_i_deg, "incident"));
+    setLine(scene.pathReflected, stage, at(stage, up, stage.length));
+    setArrow(scene.reflected, stage, up, share);
+    // head on, the reflected arrow lies over the incident ray and needs an edge of its own
+    show(scene.reflected.casing, theta_i_deg < 4);
+    show(scene.pathRefracted, down !== null);
+    show(scene.arcRefracted, down !== null);
+    if (down && theta_t_deg !== null) {
+      setLine(scene.pathRefracted, stage, at(stage, down, stage.length));
+      put(scene.arcRefracted, "d", arcPath(stage, stage.arc, theta_t_deg, "refracted"));
+    }
+    const rays = values.dispersion ?? [];
+    fan.update(stage, rays);
+    setArrow(scene.refracted, stage, down ?? up, down && rays.length === 0 ? rest : 0);
+    const both = polarization === "unpolarized";
+    const signs = [
+      ...setSigns(scene.signs.incident, stage, back, incident, both, null),
+      ...setSigns(scene.signs.reflected, stage, up, reflected, both, share),
+      ...setSigns(
+        scene.signs.refracted,
+        stage,
+        down ?? up,
+        down ? refracted : { s: 0, p: 0 },
+        both,
+        rest,
+        absorbing && depth !== null ? depth * stage.wavelength : null,
+      ),
+    ];
+
+    words.write({ values, share, rest, depth, back, up, down, source, signs }, stage);
+
+    handle.style.transform = `translate(${px(source.x)}px,${px(source.y)}px)`;
+    put(handle, "aria-valuenow", Number(theta_i_deg.toFixed(4)));
+    put(handle, "aria-valuetext", angle(theta_i_deg, values.angleUnit));
+    describe({ ...values, reflected: share, passed: rest, depth });
+  };
+
+  const measure = () => {
+    const { clientWidth, clientHeight } = element;
+    if (clientWidth < SMALLEST || clientHeight < SMALLEST) return;
+    const theme = readTheme(element);
+    unit = theme.unit;
+    words.useFaces(theme);
+    stage = stageOf(clientWidth, clientHeight, unit);
+    layStage();
+    render();
+  };
+  const observer = new ResizeObserver(measure);
+  observer.observe(element);
+  measure();
+  void document.fonts.ready.then(measure);
+
+  const stopDragging = listenForDrags({
+    host: element,
+    handle,
+    grip: scene.grip,
+    stage: () => stage,
+    theta: () => values?.theta_i_deg ?? 0,
+    actions,
+  });
+
+  return {
+    /** @param {DiagramValues} next */
+    update(next) {
+      values = next;
+      render();
+    },
+    destroy() {
+      clearTimeout(speech);
+      observer.disconnect();
+      stopDragging();
+      element.replaceChildren();
+    },
+  };
+}

@@ -1,0 +1,48 @@
+/** What the curves are: formula, source and validity of each model shown, typeset on demand. */
+
+import { h } from "../page/dom.js";
+
+/**
+ * @param {Model[]} models
+ * @param {(latex: string, element: HTMLElement) => Promise<void>} typeset
+ * @param {() => Promise<void>} [describe] completes the models
+ * @param {HTMLDetailsElement} [element] the fold that they stand in
+ */
+export function createDefinitions(
+  models,
+  typeset,
+  describe,
+  element = h(
+    "details",
+    { class: "definitions" },
+    h("summary", {}, "Formulas and sources of these curves"),
+  ),
+) {
+  const list = h("div", { class: "definition-list" });
+  element.append(list);
+  /** @type {string[]} */
+  let wanted = [];
+  let shown = "";
+
+  async function fill() {
+    if (!element.open || shown === wanted.join()) return;
+    shown = wanted.join();
+    await describe?.();
+    const { fillDefinitions } = await import("./definition-list.js");
+    await fillDefinitions(
+      list,
+      models.filter((m) => wanted.includes(m.id)),
+      typeset,
+    );
+  }
+
+  element.addEventListener("toggle", fill);
+  return {
+    element,
+    /** @param {string[]} ids */
+    update(ids) {
+      wanted = ["exact", ...ids];
+      void fill();
+    },
+  };
+}

@@ -1,0 +1,179 @@
+/** One box that finds views, media, models and formulas, and does what has a key. */
+
+import { matching } from "../controls/picker.js";
+import { h } from "./dom.js";
+import { addressOf, follow } from "./links.js";
+import { loadStyle } from "./style.js";
+
+/**
+ * @typedef {{id: string, name: string, category: string, aliases?: string[], source?: string, does: string,
+ *   run: () => void}} Entry what can be found
+ * @typedef {object} FinderOptions
+ * @property {Catalog} catalog
+ * @property {readonly {id: string, title: string}[]} views
+ * @property {() => string} view the one that is open
+ * @property {(patch: Record<string, any>) => void} set
+ * @property {() => Promise<void>} describeMedia
+ * @property {() => Promise<{formulas: {id: string, title: string}[]}>} formulas
+ * @property {readonly {name: string, note: string, run: () => void}[]} actions
+ */
+
+const MOST_SHOWN = 60;
+/** Views whose second medium is the one that is found; elsewhere it is opened among the materials. */
+const WITH_MEDIUM = ["explore", "compare"];
+
+/** @param {FinderOptions} options @returns {Entry[]} */
+export function entries({ catalog, views, view, set, actions }) {
+  const here = views.find((one) => one.id === view() && WITH_MEDIUM.includes(one.id));
+  return [
+    ...views.map(({ id, title }) => ({
+      id,
+      name: title,
+      category: "view",
+      does: "view",
+      run: () => set({ view: id }),
+    })),
+    ...actions.map(({ name, note, run }) => ({
+      id: name,
+      name,
+      category: "action",
+      does: note,
+      run,
+    })),
+    ...catalog.materials.map((material) => ({
+      ...material,
+      does: here ? `second medium in ${here.title}` : "open in Materials",
+      run: () =>
+        here
+          ? set({ material: material.id })
+          : follow(addressOf("materials", { preset: material.id })),
+    })),
+    ...catalog.models
+      .filter(({ id }) => id !== "exact")
+      .map(({ id, title }) => ({
+        id,
+        name: title,
+        category: "model",
+        does: "model, in Compare",
+        run: () => follow(addressOf("compare", { against: id })),
+      })),
+  ];
+}
+
+/** @param {{id: string, title: string}[]} formulas @returns {Entry[]} */
+export function formulaEntries(formulas) {
+  return formulas.map(({ id, title }) => ({
+    id,
+    name: title,
+    category: "formula",
+    does: "formula, in Theory",
+    run: () => follow(addressOf("theory", { section: "formulas", formula: id })),
+  }));
+}
+
+/** @param {FinderOptions} options */
+export async function openFinder(options) {
+  await loadStyle("css/dialog.css");
+  const input = h("input", {
+    type: "text",
+    role: "combobox",
+    class: "finder-box",
+    autocomplete: "off",
+    spellcheck: "false",
+    placeholder: "gold, schlick, Brewster, albedo …",
+    "aria-label": "Find a view, a medium, a model or a formula",
+    "aria-expanded": "true",
+    "aria-autocomplete": "list",
+    "aria-controls": "finder-list",
+  });
+  const list = h("ul", { id: "finder-list", role: "listbox", "aria-label": "Found" });
+  const none = h("p", { class: "finder-none", role: "status" });
+  const dialog = h(
+    "dialog",
+    { class: "dialog finder", "aria-label": "Find anything" },
+    input,
+    list,
+    none,
+  );
+  let all = entries(options);
+  /** @type {Entry[]} */
+  let found = [];
+  let active = 0;
+
+  function show() {
+    const fitting = matching(all, input.value);
+    found = fitting.slice(0, MOST_SHOWN);
+    list.replaceChildren(
+      ...found.map((entry, index) =>
+        h(
+          "li",
+          { id: `found-${index}`, role: "option", "aria-selected": "false", "data-index": index },
+          h("span", {}, entry.name),
+          h("span", { class: "note" }, entry.does),
+        ),
+      ),
+    );
+    list.hidden = found.length === 0;
+    none.textContent = found.length
+      ? fitting.length > found.length
+        ? `${found.length} of ${fitting.length}; write on to narrow them down`
+        : ""
+      : "Nothing is called so.";
+    activate(0);
+  }
+
+  /** @param {number} index */
+  function activate(index) {
+    list.children[active]?.setAttribute("aria-selected", "false");
+    active = Math.min(Math.max(index, 0), found.length - 1);
+    const row = list.children[active];
+    if (!row) {
+      input.removeAttribute("aria-activedescendant");
+      return;
+    }
+    row.setAttribute("aria-selected", "true");
+    row.scrollIntoView({ block: "nearest" });
+    input.setAttribute("aria-activedescendant", row.id);
+  }
+
+  /** @param {number} index */
+  function take(index) {
+    const entry = found[index];
+    if (!entry) return;
+    dialog.close();
+    entry.run();
+  }
+
+  input.addEventListener("input", show);
+  input.addEventListener("keydown", (event) => {
+    const step = { ArrowDown: 1, ArrowUp: -1, PageDown: 8, PageUp: -8 }[event.key];
+    if (step !== undefined) activate(active + step);
+    else if (event.key === "Enter") take(active);
+    else return;
+    event.preventDefault();
+  });
+  list.addEventListener("click", (event) => {
+    const row = /** @type {HTMLElement} */ (event.target).closest("li");
+    if (row) take(Number(row.dataset.index));
+  });
+  dialog.addEventListener("click", (event) => {
+    if (event.target === dialog) dialog.close(); // beside the box
+  });
+  dialog.addEventListener("close", () => dialog.remove());
+  document.body.append(dialog);
+  dialog.showModal();
+  show();
+
+  // Authors, other names and formulas are found as soon as they are here; names will do until then.
+  await Promise.all([
+    options.describeMedia(),
+    options.formulas().then(
+      ({ formulas }) => {
+        all = [...all, ...formulaEntries(formulas)];
+      },
+      () => {},
+    ),
+  ]);
+  all = [...entries(options), ...all.filter((entry) => entry.category === "formula")];
+  if (dialog.open) show();
+}
