@@ -18,12 +18,12 @@ from app.api.schemas import ParameterOut
 from app.http.body import ReadyBody
 from app.http.problems import BadParameters, MissingResource, ParameterError
 from app.http.route import QueryRoute
-from app.optics.formula import Formula
-from app.optics.formulas import CONVENTIONS, Formulas, UnknownFormula, symbols_of
+from app.optics.formulas.collection import CONVENTIONS, Formulas, UnknownFormula, symbols_of
+from app.optics.formulas.formula import Formula
+from app.optics.formulas.sources import links
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, Parameter
 from app.optics.registry import Registry
-from app.optics.sources import links
 
 MAX_CURVE_SAMPLES = 2001
 _NUMBERS = (N_I, N_T, K_T)

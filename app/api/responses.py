@@ -13,6 +13,7 @@ from app.http.body import ReadyBody
 from app.optics.angles import LANDMARKS
 from app.optics.interface import Interface
 from app.optics.parameters import Array
+from app.optics.specular import F82
 
 CSV = "text/csv; charset=utf-8"
 
@@ -85,7 +86,7 @@ def interface_json(interface: Interface) -> dict[str, Any]:
         "kappa": float(interface.kappa),
         "kind": interface.kind,
         "F0": float(interface.F0),
-        "F82": float(interface.F82),
+        "F82": float(F82(interface)),
         **{name: number_or_null(angle(interface)) for name, angle in LANDMARKS.items()},
         "incident": preset_json(named.incident) if named and named.incident else None,
         "material": preset_json(named.material) if named and named.material else None,

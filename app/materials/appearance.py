@@ -23,8 +23,9 @@ from app.optics.color import (
     srgb_weights,
 )
 from app.optics.incidence import Incidence
-from app.optics.interface import MU_BAR, Interface
+from app.optics.interface import Interface
 from app.optics.parameters import Array
+from app.optics.specular import F82, tint_at_82
 
 ANGLES_AT_ONCE = 256
 """Angles whose 471 wavelengths are in memory together."""
@@ -38,8 +39,6 @@ class Appearance:
     ----------
     F0, F82
         At normal incidence and at cos(theta_i) = 1/7, each the integral of the exact spectrum.
-    F82_tint
-        F82 over Schlick's value there, per channel: what the F82-tint model takes.
     luminance
         Luminous reflectance Y at normal incidence.
     warnings
@@ -48,9 +47,13 @@ class Appearance:
 
     F0: Array
     F82: Array
-    F82_tint: Array
     luminance: float
     warnings: tuple[str, ...]
+
+    @property
+    def F82_tint(self) -> Array:
+        """F82 over Schlick's value there, per channel: what the F82-tint model takes."""
+        return tint_at_82(self.F0, self.F82)
 
 
 def interface(spectrum: Spectrum, wavelength_nm: ArrayLike, n_i: ArrayLike = 1.0) -> Interface:
@@ -148,26 +151,13 @@ def appearance(
     seen = spectrum.visible
     boundary = Interface(n_i, seen.n, seen.k)
     F0 = linear_srgb(boundary.F0, illuminant, observer, adaptation)
-    F82 = linear_srgb(boundary.F82, illuminant, observer, adaptation)
+    at_82 = linear_srgb(F82(boundary), illuminant, observer, adaptation)
     return Appearance(
         F0=F0,
-        F82=F82,
-        F82_tint=f82_tint(F0, F82),
+        F82=at_82,
         luminance=float(luminance(boundary.F0, illuminant, observer)),
         warnings=seen.warnings,
     )
-
-
-def f82_tint(F0: ArrayLike, F82: ArrayLike) -> Array:
-    """Tint of the F82-tint model, F82 / S(1/7), S(mu) = F0 + (1 - F0)(1 - mu)^5.
-
-    References
-    ----------
-    .. [1] P. Kutz, M. Hasan, D. Edmondson, Novel aspects of the Adobe Standard Material (2021).
-    """
-    normal = np.asarray(F0, dtype=np.float64)
-    schlick = normal + (1.0 - normal) * (1.0 - MU_BAR) ** 5
-    return np.asarray(np.asarray(F82, dtype=np.float64) / schlick)
 
 
 def rgb_constants(

@@ -35,12 +35,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.optics.blocks import in_blocks
-from app.optics.brewster import brewster_factor
-from app.optics.choice import Condition, anywhere, choose, everywhere
-from app.optics.critical import normal_square
+from app.optics.factors import brewster_factor, normal_square
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.numerics.blocks import in_blocks
+from app.optics.numerics.choice import Condition, anywhere, choose, everywhere
 from app.optics.parameters import Array, Number
 
 Complex = NDArray[np.complex128]

@@ -39,9 +39,9 @@ from app.optics.edge_tint import (
     relative_interface,
 )
 from app.optics.errors import NotAllowed
-from app.optics.interface import MU_BAR, Interface
+from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, Array, Parameter
-from app.optics.specular import polynomial
+from app.optics.specular import F82, tint_at_82
 
 Status = Literal["exact", "lossy", "infeasible"]
 Form = Literal["ior", "f0", "f0_srgb", "nk", "rg", "dg", "specular", "reflectance"]
@@ -359,13 +359,13 @@ def _f82(known: Known) -> list[Conversion]:
             Conversion("f82", {"F0": known.F0, "F82": None}, "infeasible", why),
             Conversion("f82_tint", {"F0": known.F0, "tint": None}, "infeasible", why),
         ]
-    F82 = float(known.interface().F82)
-    tint = F82 / float(polynomial(np.asarray(known.F0), np.asarray(MU_BAR)))
+    at_82 = float(F82(known.interface()))
+    tint = float(tint_at_82(known.F0, at_82))
     status: Status = "lossy" if known.absorbs else "exact"
     why = "the two tell which side is the denser" if known.has_index else _IF_CLEAR
     if known.absorbs:
         why = "right at 0 and 82 degrees; n and k are not recovered from the two"
-    pair = Conversion("f82", {"F0": known.F0, "F82": F82}, status, why)
+    pair = Conversion("f82", {"F0": known.F0, "F82": at_82}, status, why)
     if tint > 1.0 + 1e-12:
         excess = f"R at 82 degrees exceeds Schlick's: the tint would have to be {tint:.4g}"
         return [

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.optics.choice import select
+from app.optics.numerics.choice import select
 from app.optics.parameters import MU, THETA_I, THETA_I_DEG, Array
 
 _RADIANS = np.pi / 180.0
@@ -72,6 +72,11 @@ class Incidence:
         """
         cosine = MU.check(mu)
         return cls(cosine, np.sqrt((1.0 - cosine) * (1.0 + cosine)))
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the directions."""
+        return self.cos.shape
 
     def map(self, pick: Callable[[Array], Array]) -> Incidence:
         """Pick the same directions from every array."""

@@ -4,21 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, wraps
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.optics.choice import Condition
+from app.optics.numerics.choice import Condition
 from app.optics.parameters import K_T, N_I, N_T, Array, Number
 
 Kind = Literal["dielectric", "conductor"]
 
 _SMALLEST_KAPPA = 1e-140
-
-MU_BAR = 1.0 / 7.0
-"""Cosine at which F82 is taken, about 81.8 degrees (Hoffman 2019; Kutz et al. 2021)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,10 +123,19 @@ class Interface:
             ((self.n_t - self.n_i) ** 2 + self.k_t**2) / ((self.n_t + self.n_i) ** 2 + self.k_t**2)
         )
 
-    @cached_property
-    def F82(self) -> Array:
-        """Exact reflectance at cos(theta_i) = 1/7."""
-        from app.optics.amplitudes import reflectance
-        from app.optics.incidence import Incidence
 
-        return reflectance(self, Incidence.from_cosine(MU_BAR))
+Figure = Callable[[Interface], Array]
+
+
+def worked_out_once(figure: Figure) -> Figure:
+    """Keep a figure of an interface with it, which is frozen, for whoever asks again."""
+
+    @wraps(figure)
+    def kept(interface: Interface) -> Array:
+        known = interface.__dict__
+        if (found := known.get(name)) is None:
+            found = known[name] = figure(interface)
+        return found
+
+    name = f"{figure.__module__}.{figure.__qualname__}"
+    return kept

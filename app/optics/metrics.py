@@ -15,22 +15,21 @@ from numpy.typing import NDArray
 
 from app.optics.amplitudes import reflectance
 from app.optics.errors import NotAllowed
+from app.optics.hemisphere import bends_gently, hemisphere
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.models.lagarde_conductor import lagarde_conductor
-from app.optics.parameters import Array
-from app.optics.peaks import Peaks, largest, largest_of_smooth
-from app.optics.quadrature import (
+from app.optics.numerics.peaks import Peaks, largest, largest_of_smooth
+from app.optics.numerics.quadrature import (
     Nodes,
     Rule,
-    bends_gently,
     crowded_gauss_legendre,
     double_exponential,
     gauss_legendre,
-    hemisphere,
     root_gauss_legendre,
     whole,
 )
+from app.optics.parameters import Array
 from app.optics.registry import Model
 
 Metric = Literal[

@@ -12,11 +12,11 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.optics.blocks import in_blocks
 from app.optics.errors import NotAllowed, OutOfRange, UnknownModel
-from app.optics.formula import Symbol
+from app.optics.formulas.formula import Symbol
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface, Kind
+from app.optics.numerics.blocks import in_blocks
 from app.optics.parameters import Array, Parameter
 
 ModelKind = Literal["exact", "approximation"]

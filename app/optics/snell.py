@@ -9,10 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from app.optics.amplitudes import wave
 from app.optics.errors import NotAllowed
-from app.optics.formula import THETA, Axis, Curve, Formula, Series, Symbol, rounding
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.optics.parameters import K_T, N_I, N_T, Array
+from app.optics.parameters import N_I, N_T, Array
 
 _UNIT_TOLERANCE = 1e-6
 
@@ -147,58 +146,3 @@ def _unit_pair(incident: ArrayLike, normal: ArrayLike) -> tuple[Array, Array, Ar
     if not np.all(cos_i >= -_UNIT_TOLERANCE):
         raise NotAllowed("incident", i.tolist(), "a direction toward the surface, i . n <= 0")
     return i, n, np.maximum(cos_i, 0.0)
-
-
-def _refraction(interface: Interface, samples: int) -> Curve:
-    theta = np.linspace(0.0, 90.0, samples)
-    values = refraction_angle_deg(interface, Incidence.from_degrees(theta))
-    y = Axis("theta_t_deg", r"\theta_t", "angle of refraction", "deg")
-    return Curve(THETA, theta, y, (Series("theta_t_deg", "angle of refraction", values),))
-
-
-def _penetration(interface: Interface, samples: int) -> Curve:
-    theta = np.linspace(0.0, 90.0, samples)
-    values = penetration_depth_wavelengths(interface, Incidence.from_degrees(theta))
-    y = Axis("depth", "d", "depth of 1/e in vacuum wavelengths")
-    return Curve(THETA, theta, y, (Series("depth", "penetration depth", values),))
-
-
-_SCATTERED = "1500 interfaces scattered over the whole range, angles from 0 to 90 degrees"
-
-FORMULAS = (
-    Formula(
-        id="angle.refraction",
-        title="Angle of refraction, Snell's law",
-        latex=r"n_i\sin\theta_i=n_t\sin\theta_t,\quad "
-        r"\tan\theta_t=\frac{\sin\theta_i}{\operatorname{Re}q},\quad q=\sqrt{N^2-\sin^2\theta_i}",
-        reference="M. Born and E. Wolf, Principles of Optics, 7th edition, 1.5.1 and 14.2, "
-        "doi:10.1017/CBO9781139644181; quoted by P. Shirley, Fresnel Equations, Schlick Approximation, "
-        "Metals, and Dielectrics (2020)",
-        validity="Every interface; none beyond the critical angle. In an absorber it is the "
-        "angle of the "
-        "planes of constant phase, while those of constant amplitude stay parallel to the surface.",
-        accuracy=(rounding(1e-14, "angle", _SCATTERED),),
-        at=Interface(n_t=1.5),
-        takes=(N_I, N_T, K_T),
-        curve=_refraction,
-    ),
-    Formula(
-        id="angle.penetration_depth",
-        title="Penetration depth",
-        latex=r"d=\frac{1}{2\operatorname{Im}k_z}=\frac{\lambda_0}{4\pi n_i\operatorname{Im}q},\quad "
-        r"q=\sqrt{N^2-\sin^2\theta_i}",
-        symbols=(
-            Symbol("k_z", "normal component of the wave vector in the second medium", "1/length"),
-            Symbol(r"\lambda_0", "wavelength in vacuum", "length"),
-        ),
-        reference="M. Born and E. Wolf, Principles of Optics, 7th edition, 1.5.4 and 14.1, "
-        "doi:10.1017/CBO9781139644181",
-        validity="Absorbers at every angle, and total internal reflection, where it is the reach of the "
-        "evanescent wave; elsewhere light travels on undamped. It is the depth at which the power has "
-        "fallen to 1/e, for the amplitude it is twice as large.",
-        accuracy=(rounding(1e-14, "depth", _SCATTERED),),
-        at=Interface(1.5, 1.0),
-        takes=(N_I, N_T, K_T),
-        curve=_penetration,
-    ),
-)

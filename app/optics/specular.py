@@ -6,10 +6,15 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from app.optics.interface import MU_BAR, Interface
-from app.optics.parameters import Array, Parameter
+from app.optics.amplitudes import reflectance
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface, worked_out_once
+from app.optics.parameters import Array, Number, Parameter
 
-F0 = Parameter(
+MU_BAR = 1.0 / 7.0
+"""Cosine at which F82 is taken, about 81.8 degrees (Hoffman 2019; Kutz et al. 2021)."""
+
+F0_PARAMETER = Parameter(
     "F0",
     "F_0",
     None,
@@ -20,7 +25,7 @@ F0 = Parameter(
     "R, G and B.",
     triple=True,
 )
-F82 = Parameter(
+F82_PARAMETER = Parameter(
     "F82",
     r"F_{82}",
     None,
@@ -36,14 +41,32 @@ DIP_SCALE = 1.0 / (MU_BAR * (1.0 - MU_BAR) ** 6)
 """1 / (mu (1 - mu)^6) at mu = 1/7: 17.6513846 in Hoffman's slides."""
 
 
-def fifth_power(mu: Array) -> Array:
+@worked_out_once
+def F82(interface: Interface) -> Array:
+    """Exact reflectance at cos(theta_i) = 1/7."""
+    return reflectance(interface, Incidence.from_cosine(MU_BAR))
+
+
+def tint_at_82(F0: Number, F82: Number) -> Array:
+    """Tint of the F82-tint model, F82 / S(1/7), S(mu) = F0 + (1 - F0)(1 - mu)^5.
+
+    It is above 1 for most dielectrics.
+
+    References
+    ----------
+    .. [1] P. Kutz, M. Hašan, D. Edmondson, Novel Aspects of the Adobe Standard Material (2021).
+    """
+    return np.asarray(F82 / polynomial(F0, MU_BAR))
+
+
+def fifth_power(mu: Number) -> Number:
     """(1 - mu)^5 by three multiplications, as shaders write it."""
     g = 1.0 - mu
     g2 = g * g
-    return np.asarray(g2 * g2 * g)
+    return g2 * g2 * g
 
 
-def polynomial(normal: Array, mu: Array) -> Array:
+def polynomial(normal: Number, mu: Number) -> Array:
     """Schlick's F0 + (1 - F0)(1 - mu)^5."""
     return np.asarray(normal + (1.0 - normal) * fifth_power(mu))
 
@@ -57,7 +80,7 @@ def dip(mu: Array) -> Array:
 
 def from_interface(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
     """F0 and F82 of the interface, for models whose parameters they are."""
-    return {"F0": interface.F0, "F82": interface.F82}
+    return {"F0": interface.F0, "F82": F82(interface)}
 
 
 def only_F0(interface: Interface, **_: Array | None) -> Mapping[str, Array]:

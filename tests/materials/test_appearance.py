@@ -10,7 +10,6 @@ from app.materials import (
     WavelengthOutOfRange,
     appearance,
     color_curve,
-    f82_tint,
     interface,
     reflectance,
     rgb_constants,
@@ -18,7 +17,8 @@ from app.materials import (
 from app.optics.amplitudes import power
 from app.optics.color import WAVELENGTH_NM, luminance
 from app.optics.incidence import Incidence
-from app.optics.interface import MU_BAR, Interface
+from app.optics.interface import Interface
+from app.optics.specular import MU_BAR, tint_at_82
 
 ROUNDING = 1e-12
 INDEX_DECIMALS = 5.1e-7
@@ -65,7 +65,7 @@ def test_color_at_both_ends_and_at_f82(catalog: Catalog) -> None:
     np.testing.assert_allclose(rgb[0], look.F0, rtol=0, atol=ROUNDING)
     np.testing.assert_allclose(rgb[1], look.F82, rtol=0, atol=ROUNDING)
     np.testing.assert_allclose(rgb[2], 1.0, rtol=0, atol=ROUNDING)
-    np.testing.assert_array_equal(look.F82_tint, f82_tint(look.F0, look.F82))
+    np.testing.assert_array_equal(look.F82_tint, tint_at_82(look.F0, look.F82))
 
 
 def test_long_curves_are_made_in_pieces(catalog: Catalog) -> None:

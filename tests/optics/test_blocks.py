@@ -8,10 +8,10 @@ from math import prod
 import numpy as np
 import pytest
 
-from app.optics import blocks
 from app.optics.amplitudes import amplitudes, power, reflectance
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.numerics import blocks
 from app.optics.parameters import Array
 from app.optics.registry import Model, default_registry
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.optics.choice import select
+from app.optics.numerics.choice import select
 
 ODD = np.array([0.0, -0.0, np.nan, np.inf, -np.inf, 5e-324, -1.5, 1e300])
 SHAPES = [((), (), ()), ((7,), (7,), (7,)), ((9000,), (9000,), (9000,))]

@@ -8,9 +8,9 @@ from mpmath import atan, degrees, mp, mpf
 
 from app.optics.amplitudes import power
 from app.optics.angles import brewster_deg
-from app.optics.double_double import Double2, arctan_deg
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.numerics.double_double import Double2, arctan_deg
 
 RELATIVE = 1e-31
 

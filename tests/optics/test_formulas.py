@@ -15,14 +15,14 @@ from mpmath import mp, mpf
 from app.optics.albedo import FITS, albedo, coat_split, flatland_albedo
 from app.optics.angles import brewster_deg, critical_deg, principal_deg, pseudo_brewster_deg
 from app.optics.conversions import TITLES, Form, convert, know
-from app.optics.formula import Formula
-from app.optics.formulas import UnknownFormula, default_formulas, of_model, symbols_of
+from app.optics.formulas.collection import UnknownFormula, default_formulas, of_model, symbols_of
+from app.optics.formulas.formula import Formula
+from app.optics.formulas.sources import ADDRESSES, links
+from app.optics.formulas.symbols import GLOSSARY, defined, explain, letters
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.registry import Model, Rounding, default_registry
 from app.optics.snell import penetration_depth_wavelengths, refraction_angle_deg
-from app.optics.sources import ADDRESSES, links
-from app.optics.symbols import GLOSSARY, defined, explain, letters
 from tests.optics.reference.fresnel import DIGITS, Reference, fresnel
 
 HERE = Path(__file__).parent / "reference"

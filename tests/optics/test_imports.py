@@ -104,6 +104,21 @@ def test_no_modules_import_each_other() -> None:
     assert len(order) == len(MODULES)
 
 
+def test_the_core_has_no_import_circle() -> None:
+    """Counting imports within functions and for types alone, which only hide a circle."""
+    core = {module for module in MODULES if layer(module) == "app.optics"}
+    graph = {module: imports(module) & core for module in core}
+    assert set(TopologicalSorter(graph).static_order()) == core  # raises CycleError
+
+
+def test_numerics_know_no_physics() -> None:
+    for module in MODULES:
+        if module.startswith("app.optics.numerics."):
+            inside = {name for name in imports(module) if name.startswith("app.")}
+            below = {name for name in inside if name.startswith("app.optics.numerics.")}
+            assert inside - below <= {"app.optics.parameters"}, module
+
+
 def test_the_core_runs_without_the_web() -> None:
     """In a process of its own: every module of the core, and a curve of every model."""
     code = f"""

@@ -10,18 +10,17 @@ from scipy.integrate import quad
 from scipy.optimize import minimize_scalar
 
 from app.optics.errors import NotAllowed
+from app.optics.hemisphere import branch_cosine, hemisphere
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.metrics import FAST, METRICS, Metric, measure, point_error
-from app.optics.parameters import Array
-from app.optics.quadrature import (
+from app.optics.numerics.quadrature import (
     Rule,
-    branch_cosine,
     crowded_gauss_legendre,
     double_exponential,
     gauss_legendre,
-    hemisphere,
 )
+from app.optics.parameters import Array
 from app.optics.registry import Measured, Model, default_registry
 
 REGISTRY = default_registry()

@@ -14,6 +14,7 @@ from app.optics.errors import NotAllowed, OpticsError, OutOfRange, UnknownModel,
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, MU, N_I, N_T, THETA_I, THETA_I_DEG, Parameter
+from app.optics.specular import F82
 
 DECLARED = (N_I, N_T, K_T, THETA_I_DEG, THETA_I, MU)
 WHOLE = Parameter("size", "N", 64.0, 2.0, 4096.0, "", "Texels.", integer=True)
@@ -133,7 +134,7 @@ class TestInterface:
         interface = Interface(2.0, [3.0, 1.0], [[1.0], [0.0]])
         assert interface.eta.tolist() == [1.5, 0.5]
         assert interface.kappa.tolist() == [[0.5], [0.0]]
-        assert interface.F0.shape == interface.F82.shape == (2, 2)
+        assert interface.F0.shape == F82(interface).shape == (2, 2)
 
     def test_one_absorbing_element_makes_a_conductor(self) -> None:
         assert Interface(k_t=[0.0, 1.0]).kind == "conductor"

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from app.optics.numerics.peaks import largest, largest_of_smooth
+from app.optics.numerics.quadrature import root_gauss_legendre, whole
 from app.optics.parameters import Array
-from app.optics.peaks import largest, largest_of_smooth
-from app.optics.quadrature import root_gauss_legendre, whole
 
 
 @pytest.mark.parametrize("shared", [True, False])

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from app.materials.appearance import Appearance, appearance, f82_tint
+from app.materials.appearance import Appearance, appearance
 from app.materials.schema import (
     TRANSPARENT,
     Channels,
@@ -18,6 +18,7 @@ from app.materials.schema import (
 )
 from app.materials.spectrum import Spectrum
 from app.optics.interface import Interface
+from app.optics.specular import F82
 from tools.build_materials.selection import Choice
 
 REFERENCE_NM = 587.6
@@ -61,9 +62,9 @@ def row_presets(table: Table) -> Iterable[Preset]:
     """Summarize the rows of a table; without dispersion every channel has the same F0."""
     for row in table.rows:
         boundary = Interface(n_t=row.n)
-        F0, F82 = float(boundary.F0), float(boundary.F82)
+        F0 = float(boundary.F0)
         grey = np.ones(3)
-        look = Appearance(F0 * grey, F82 * grey, f82_tint(F0 * grey, F82 * grey), F0, ())
+        look = Appearance(F0 * grey, F82(boundary) * grey, F0, ())
         yield Preset(
             **row.model_dump(),
             kind="single",

@@ -36,6 +36,7 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.optics.registry import Model, Registry
+from app.optics.specular import F82
 
 SHIRLEY_NM = (400.0, 500.0, 600.0, 700.0, 800.0)
 """The wavelengths of Shirley's figure of copper."""
@@ -82,7 +83,7 @@ def wavelength_curves(
     R = reflectance(rows, incidence)
     columns = [
         np.broadcast_to(a, wavelength_nm.shape)
-        for a in (interface.n_i, interface.n_t, interface.k_t, interface.F0, interface.F82)
+        for a in (interface.n_i, interface.n_t, interface.k_t, interface.F0, F82(interface))
     ]
     curves = [
         {

@@ -18,11 +18,11 @@ from app.materials import (
     Preset,
     appearance,
     default_catalog,
-    f82_tint,
     resolve_material,
 )
 from app.optics.color import WAVELENGTH_NM, Gamut, apply_gamut, linear_srgb, luminance
 from app.optics.interface import Interface
+from app.optics.specular import F82, tint_at_82
 
 
 class DetailQuery(ColorQuery, DigitsQuery):
@@ -43,10 +43,10 @@ def seen(preset: Preset, query: ColorQuery) -> Appearance:
     if preset.kind == "spectrum":
         return appearance(default_catalog().spectrum(preset.id), 1.0, *how)
     boundary = Interface(1.0, preset.n, preset.k or 0.0)
-    spectra = [np.full(WAVELENGTH_NM.size, float(value)) for value in (boundary.F0, boundary.F82)]
-    F0, F82 = (linear_srgb(values, *how) for values in spectra)
+    spectra = [np.full(WAVELENGTH_NM.size, float(value)) for value in (boundary.F0, F82(boundary))]
+    F0, at_82 = (linear_srgb(values, *how) for values in spectra)
     Y = float(luminance(spectra[0], query.illuminant, query.observer))
-    return Appearance(F0, F82, f82_tint(F0, F82), Y, ())
+    return Appearance(F0, at_82, Y, ())
 
 
 def constants(preset: Preset, wavelength_nm: float | None) -> dict[str, Any]:
@@ -58,17 +58,17 @@ def constants(preset: Preset, wavelength_nm: float | None) -> dict[str, Any]:
         "n": at.n,
         "k": at.k,
         "F0": float(boundary.F0),
-        "F82": float(boundary.F82),
+        "F82": float(F82(boundary)),
     }
 
 
 def display(color: Appearance, gamut: Gamut) -> dict[str, Any]:
     """Bring a color into the gamut, with the tint that belongs to what came out."""
-    F0, F82 = apply_gamut(color.F0, gamut), apply_gamut(color.F82, gamut)
+    F0, at_82 = apply_gamut(color.F0, gamut), apply_gamut(color.F82, gamut)
     return swatch(color.F0, gamut) | {
         "F0": F0,
-        "F82": F82,
-        "F82_tint": f82_tint(F0, F82),
+        "F82": at_82,
+        "F82_tint": tint_at_82(F0, at_82),
         "in_gamut": bool(((color.F0 >= 0.0) & (color.F0 <= 1.0)).all()),
     }
 

@@ -13,15 +13,16 @@ from pydantic import Field
 from app.api.materials.queries import ColorQuery, swatch_gamut
 from app.api.model_parameters import ModelsParameter
 from app.http.problems import BadParameters, ParameterError
-from app.materials import Spectrum, appearance, color_curve, f82_tint, rgb_constants
+from app.materials import Spectrum, appearance, color_curve, rgb_constants
 from app.optics.amplitudes import reflectance
 from app.optics.color import Gamut, apply_gamut, linear_srgb
 from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.numerics.quadrature import Nodes, crowded_gauss_legendre
 from app.optics.parameters import K_T, N_I, N_T, Array
-from app.optics.quadrature import Nodes, crowded_gauss_legendre
 from app.optics.registry import Model, Registry
+from app.optics.specular import tint_at_82
 
 CHANNELS = ("red", "green", "blue")
 COLORS = frozenset({"F0", "F82", "tint"})
@@ -100,7 +101,7 @@ def rgb_models(
     how = query.illuminant, query.observer, query.adaptation
     color = appearance(spectrum, n_i, *how)
     F0, F82 = apply_gamut(color.F0, query.gamut), apply_gamut(color.F82, query.gamut)
-    colors = {"F0": F0, "F82": F82, "tint": f82_tint(F0, F82)}
+    colors = {"F0": F0, "F82": F82, "tint": tint_at_82(F0, F82)}
     averaged = _averaged(spectrum, n_i, query)
     inputs: dict[str, Array]
     for model in models:

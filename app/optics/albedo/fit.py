@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.optics.albedo.exact import Albedo, Quantity, albedo
-from app.optics.formula import Symbol
+from app.optics.formulas.formula import Symbol
 from app.optics.interface import Interface, Kind
 from app.optics.parameters import Array
 

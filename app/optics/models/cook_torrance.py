@@ -6,7 +6,7 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.optics.registry import Cost, Measured, Model
-from app.optics.specular import F0, no_critical_angle, only_F0
+from app.optics.specular import F0_PARAMETER, no_critical_angle, only_F0
 
 
 def cook_torrance(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
@@ -36,7 +36,7 @@ MODEL = Model(
     "right F0 but a far deeper dip than the metal.",
     cost=Cost(add=8, mul=8, div=2, sqrt=1),
     function=cook_torrance,
-    parameters=(F0,),
+    parameters=(F0_PARAMETER,),
     solve=only_F0,
     limits=no_critical_angle,
     measured=(

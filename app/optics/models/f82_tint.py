@@ -5,10 +5,10 @@ from collections.abc import Mapping
 import numpy as np
 
 from app.optics.incidence import Incidence
-from app.optics.interface import MU_BAR, Interface
+from app.optics.interface import Interface
 from app.optics.parameters import Array, Parameter
 from app.optics.registry import Cost, Measured, Model
-from app.optics.specular import DIP_SCALE, F0, dip, polynomial
+from app.optics.specular import DIP_SCALE, F0_PARAMETER, F82, MU_BAR, dip, polynomial, tint_at_82
 
 TINT = Parameter(
     "tint",
@@ -25,17 +25,12 @@ TINT = Parameter(
 
 def f82_tint(interface: Interface, incidence: Incidence, F0: Array, tint: Array) -> Array:  # noqa: ARG001
     """S(mu) - mu (1 - mu)^6 / (mu_bar (1 - mu_bar)^6) S(mu_bar) (1 - tint), S Schlick's curve."""
-    depth = DIP_SCALE * polynomial(F0, np.asarray(MU_BAR)) * (1.0 - tint)
+    depth = DIP_SCALE * polynomial(F0, MU_BAR) * (1.0 - tint)
     return np.asarray(polynomial(F0, incidence.cos) - depth * dip(incidence.cos))
 
 
-def tint_of(interface: Interface) -> Array:
-    """F82 / S(1/7), above 1 for most dielectrics."""
-    return np.asarray(interface.F82 / polynomial(interface.F0, np.asarray(MU_BAR)))
-
-
 def _solve(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
-    return {"F0": interface.F0, "tint": tint_of(interface)}
+    return {"F0": interface.F0, "tint": tint_at_82(interface.F0, F82(interface))}
 
 
 MODEL = Model(
@@ -51,7 +46,7 @@ MODEL = Model(
     "beside a low F0 takes R below 0.",
     cost=Cost(add=3, mul=7),
     function=f82_tint,
-    parameters=(F0, TINT),
+    parameters=(F0_PARAMETER, TINT),
     solve=_solve,
     measured=(
         Measured(1, 0.27, 2.9, max_abs=0.00841, at_deg=68.8, rms=0.00486),

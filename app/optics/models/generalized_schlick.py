@@ -5,10 +5,10 @@ from collections.abc import Mapping
 import numpy as np
 
 from app.optics.incidence import Incidence
-from app.optics.interface import MU_BAR, Interface
+from app.optics.interface import Interface
 from app.optics.parameters import Array, Parameter
 from app.optics.registry import Cost, Measured, Model
-from app.optics.specular import DIP_SCALE, F0, dip, no_critical_angle
+from app.optics.specular import DIP_SCALE, F0_PARAMETER, F82, MU_BAR, dip, no_critical_angle
 
 F90 = Parameter(
     "F90",
@@ -54,7 +54,7 @@ def _solve(
 ) -> Mapping[str, Array]:
     normal = interface.F0 if F0 is None else F0
     at_82 = normal + (F90 - normal) * (1.0 - MU_BAR) ** exponent
-    return {"F0": normal, "a": np.asarray(DIP_SCALE * (at_82 - interface.F82))}
+    return {"F0": normal, "a": np.asarray(DIP_SCALE * (at_82 - F82(interface)))}
 
 
 MODEL = Model(
@@ -70,7 +70,7 @@ MODEL = Model(
     "extreme a.",
     cost=Cost(add=3, mul=6, pow=1),
     function=generalized_schlick,
-    parameters=(F0, F90, EXPONENT, A),
+    parameters=(F0_PARAMETER, F90, EXPONENT, A),
     solve=_solve,
     limits=no_critical_angle,
     measured=(

@@ -8,8 +8,8 @@ from app.optics.parameters import Array
 from app.optics.registry import Cost, Measured, Model
 from app.optics.specular import (
     DIP_SCALE,
-    F0,
-    F82,
+    F0_PARAMETER,
+    F82_PARAMETER,
     dip,
     from_interface,
     polynomial,
@@ -36,7 +36,7 @@ MODEL = Model(
     "part of Schlick's error. A low F82 can take R below 0.",
     cost=Cost(add=3, mul=7),
     function=hoffman_f82,
-    parameters=(F0, F82),
+    parameters=(F0_PARAMETER, F82_PARAMETER),
     solve=from_interface,
     measured=(
         Measured(1, 0.27, 2.9, max_abs=0.00841, at_deg=68.8, rms=0.00486),

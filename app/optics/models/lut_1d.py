@@ -4,7 +4,7 @@ import numpy as np
 
 from app.optics.amplitudes import reflectance
 from app.optics.errors import NotAllowed
-from app.optics.formula import Symbol
+from app.optics.formulas.formula import Symbol
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.lookup import Depth, quantize

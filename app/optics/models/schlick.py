@@ -4,7 +4,7 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.optics.registry import Cost, Measured, Model
-from app.optics.specular import F0, no_critical_angle, only_F0, polynomial
+from app.optics.specular import F0_PARAMETER, no_critical_angle, only_F0, polynomial
 
 
 def schlick(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
@@ -24,7 +24,7 @@ MODEL = Model(
     "angle. Misses the dip of metals before grazing incidence.",
     cost=Cost(add=2, mul=4),
     function=schlick,
-    parameters=(F0,),
+    parameters=(F0_PARAMETER,),
     solve=only_F0,
     measured=(
         Measured(1, 1.333, 0, max_abs=0.0592, at_deg=83.8, rms=0.0246),

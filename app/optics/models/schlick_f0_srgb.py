@@ -5,7 +5,7 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.optics.registry import Cost, Measured, Model
-from app.optics.specular import F0, only_F0, polynomial
+from app.optics.specular import F0_PARAMETER, only_F0, polynomial
 
 
 def schlick_f0_srgb(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
@@ -26,7 +26,7 @@ MODEL = Model(
     "grazing incidence. Decode it first.",
     cost=Cost(add=2, mul=4),
     function=schlick_f0_srgb,
-    parameters=(F0,),
+    parameters=(F0_PARAMETER,),
     solve=only_F0,
     limits=lambda _: "a trap: F0 has to be decoded from sRGB to linear first",
     measured=(

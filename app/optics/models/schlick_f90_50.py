@@ -6,7 +6,7 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.optics.registry import Cost, Measured, Model
-from app.optics.specular import F0, fifth_power, no_critical_angle, only_F0
+from app.optics.specular import F0_PARAMETER, fifth_power, no_critical_angle, only_F0
 
 
 def schlick_f90_50(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
@@ -28,7 +28,7 @@ MODEL = Model(
     "everything at grazing incidence. Each channel has its own F90 here; engines take one for all.",
     cost=Cost(add=2, mul=4),
     function=schlick_f90_50,
-    parameters=(F0,),
+    parameters=(F0_PARAMETER,),
     solve=only_F0,
     limits=no_critical_angle,
     measured=(

@@ -6,7 +6,7 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.optics.registry import Cost, Measured, Model
-from app.optics.specular import F0, no_critical_angle, only_F0
+from app.optics.specular import F0_PARAMETER, no_critical_angle, only_F0
 
 
 def spherical_gaussian(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
@@ -27,7 +27,7 @@ MODEL = Model(
     "incidence.",
     cost=Cost(add=2, mul=3, pow=1),
     function=spherical_gaussian,
-    parameters=(F0,),
+    parameters=(F0_PARAMETER,),
     solve=only_F0,
     limits=no_critical_angle,
     measured=(

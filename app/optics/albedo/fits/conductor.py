@@ -7,7 +7,7 @@ from numpy.polynomial.polynomial import polyval, polyval2d
 
 from app.optics.albedo.fit import Claim, Domain, Fit
 from app.optics.edge_tint import deon_G, gulbrandsen_g
-from app.optics.formula import Symbol
+from app.optics.formulas.formula import Symbol
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 

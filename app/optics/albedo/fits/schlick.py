@@ -6,9 +6,9 @@ import numpy as np
 
 from app.optics.albedo.fit import Claim, Domain, Fit
 from app.optics.albedo.fits.conductor import METALS
-from app.optics.interface import MU_BAR, Interface
+from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.specular import DIP_SCALE, polynomial
+from app.optics.specular import DIP_SCALE, F82, MU_BAR, polynomial
 
 _GLASSES = Domain(eta=(1.0, 3.0))
 _OURS = "no figure published; measured here"
@@ -25,7 +25,7 @@ def _schlick(interface: Interface) -> Array:
 
 def _f82_tint(interface: Interface) -> Array:
     # S(mu_bar) (1 - tint) with tint = F82 / S(mu_bar).
-    missing = polynomial(interface.F0, np.asarray(MU_BAR)) - interface.F82
+    missing = polynomial(interface.F0, MU_BAR) - F82(interface)
     return np.asarray(_schlick(interface) - DIP_SCALE * missing / 126.0)
 
 

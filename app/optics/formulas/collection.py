@@ -7,14 +7,14 @@ from functools import cache
 
 import numpy as np
 
-from app.optics import angles, conversion_formulas, snell
 from app.optics.albedo import albedo
-from app.optics.albedo import formulas as albedo_formulas
 from app.optics.albedo.fit import Claim, Fit
 from app.optics.albedo.fits import FITS
 from app.optics.amplitudes import power
 from app.optics.errors import UnknownName
-from app.optics.formula import (
+from app.optics.formulas import albedo as exact_albedos
+from app.optics.formulas import angles, conversions
+from app.optics.formulas.formula import (
     ETA,
     THETA,
     Accuracy,
@@ -26,11 +26,11 @@ from app.optics.formula import (
     Symbol,
     rounding,
 )
+from app.optics.formulas.symbols import explain
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T
 from app.optics.registry import Measured, Model, Registry, Rounding, default_registry
-from app.optics.symbols import explain
 
 CONVENTIONS: dict[FormulaKind, str] = {
     "model": "Angles from the surface normal, mu = cos(theta_i); N = n + i k, k of at least 0, time "
@@ -140,11 +140,10 @@ class Formulas(Mapping[str, Formula]):
     def __init__(self, registry: Registry) -> None:
         all_of_them = (
             *(of_model(model) for model in registry.values()),
-            *albedo_formulas.FORMULAS,
+            *exact_albedos.FORMULAS,
             *(of_fit(fit) for fit in FITS.values()),
-            *snell.FORMULAS,
             *angles.FORMULAS,
-            *conversion_formulas.FORMULAS,
+            *conversions.FORMULAS,
         )
         self._formulas = {formula.id: formula for formula in all_of_them}
         if len(self._formulas) != len(all_of_them):

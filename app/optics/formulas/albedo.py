@@ -7,7 +7,16 @@ import numpy as np
 from app.optics.albedo.coat import BODY_ALBEDO, coat_split
 from app.optics.albedo.exact import albedo
 from app.optics.albedo.flatland import flatland_albedo
-from app.optics.formula import ETA, Accuracy, Axis, Curve, Formula, Series, Symbol, rounding
+from app.optics.formulas.formula import (
+    ETA,
+    Accuracy,
+    Axis,
+    Curve,
+    Formula,
+    Series,
+    Symbol,
+    rounding,
+)
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_T
 

@@ -11,13 +11,11 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import product
-from typing import Any
+from typing import Any, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
 from app.optics.parameters import Array
 
 VALUES = 16384
@@ -33,6 +31,17 @@ np.empty(32 * VALUES)
 
 Block = tuple[slice, ...]
 Function = Callable[..., Sequence[NDArray[Any]]]
+
+
+class Arrays(Protocol):
+    """Arrays that belong together, from each of which the same piece can be picked."""
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """What the arrays broadcast to."""
+
+    def map(self, pick: Callable[[Array], Array]) -> Self:
+        """Pick from every array."""
 
 
 def blocks(shape: tuple[int, ...], size: int) -> Iterator[Block]:
@@ -55,17 +64,17 @@ def part(block: Block, array: Array) -> Array:
 
 def in_blocks(
     function: Function,
-    interface: Interface,
-    incidence: Incidence,
+    media: Arrays,
+    directions: Arrays,
     arguments: Mapping[str, Array] | None = None,
 ) -> tuple[NDArray[Any], ...]:
-    """Evaluate `function(interface, incidence, **arguments)`, in pieces where it is large.
+    """Evaluate `function(media, directions, **arguments)`, in pieces where it is large.
 
     Parameters
     ----------
     function
         Works value by value and returns arrays that broadcast against its arguments.
-    interface, incidence, arguments
+    media, directions, arguments
         They broadcast against each other.
 
     Returns
@@ -74,19 +83,19 @@ def in_blocks(
         What `function` returns; of the broadcast shape where there was more than one piece.
     """
     arguments = arguments or {}
-    shape = incidence.cos.shape
-    if interface.shape or arguments:
+    shape = directions.shape
+    if media.shape or arguments:
         shapes = (array.shape for array in arguments.values())
-        shape = np.broadcast_shapes(shape, interface.shape, *shapes)
-    size = VALUES * _OF_MANY_MEDIA if interface.shape else VALUES
+        shape = np.broadcast_shapes(shape, media.shape, *shapes)
+    size = VALUES * _OF_MANY_MEDIA if media.shape else VALUES
     if math.prod(shape) <= size:
-        return tuple(function(interface, incidence, **arguments))
+        return tuple(function(media, directions, **arguments))
     results: tuple[NDArray[Any], ...] = ()
     for block in blocks(shape, size):
         pick = partial(part, block)
         pieces = function(
-            interface.map(pick),
-            incidence.map(pick),
+            media.map(pick),
+            directions.map(pick),
             **{name: pick(array) for name, array in arguments.items()},
         )
         results = results or tuple(np.empty(shape, piece.dtype) for piece in pieces)

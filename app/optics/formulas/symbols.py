@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from app.optics.formula import Symbol
+from app.optics.formulas.formula import Symbol
 from app.optics.parameters import Parameter
 
 GLOSSARY = (

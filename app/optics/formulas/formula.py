@@ -1,8 +1,8 @@
 """What stands in the collection of formulas: equation, symbols, domain, source, error and curve.
 
-Models and fits of the albedo have declarations of their own; `app.optics.formulas` makes a `Formula`
-of each. Everything else, angles, exact albedos and conversions, is declared as a `Formula` where it is
-computed.
+Models and fits of the albedo have declarations of their own, of each of which
+`app.optics.formulas.collection` makes a `Formula`. Everything else, angles, exact albedos and
+conversions, is declared as a `Formula` beside this file.
 """
 
 from __future__ import annotations

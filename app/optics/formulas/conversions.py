@@ -19,7 +19,7 @@ from app.optics.conversions import (
     know,
 )
 from app.optics.edge_tint import EDGE_TINT, TINT_ANGLE
-from app.optics.formula import Accuracy, Axis, Curve, Formula, Series, Symbol, rounding
+from app.optics.formulas.formula import Accuracy, Axis, Curve, Formula, Series, Symbol, rounding
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_T, Parameter
 from app.optics.registry import default_registry

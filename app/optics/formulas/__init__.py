@@ -1,0 +1,1 @@
+"""The collection of formulas: equation, symbols, domain, source, error and curve of each."""
