@@ -1,15 +1,11 @@
 /** The wiring: state -> api -> views. */
 
-import { canBeIncident } from "./controls/media.js";
-import { WAVELENGTH } from "./controls/wavelength.js";
+import { canBeIncident, WAVELENGTH } from "./controls/media.js";
 import { createConstants } from "./media/constants.js";
 import { byId, h } from "./page/dom.js";
-import { listenForKeys } from "./page/keys.js";
-import { createShell } from "./page/shell.js";
-import { BASE, createQuery, load, onKept, Problem } from "./server/api.js";
-import { startWorker } from "./server/transport.js";
-import { choice, createState, number, optional, shortened } from "./state/state.js";
-import { createUndo } from "./state/undo.js";
+import { createShell, listenForKeys } from "./page/shell.js";
+import { BASE, createQuery, load, onKept, Problem, startWorker } from "./server/api.js";
+import { choice, createState, createUndo, number, optional, shortened } from "./state/state.js";
 
 /**
  * A further view is one line here and one file in views/.
@@ -418,7 +414,7 @@ async function start() {
         describe,
         describeMedia,
         typeset: async (latex, element) =>
-          (await import("./page/typeset.js")).typeset(latex, element),
+          (await import("./page/prose.js")).typeset(latex, element),
       });
       opened.set(id, { module, view, host });
     }
@@ -490,7 +486,7 @@ async function start() {
   };
   async function copyEmbed() {
     const [{ copyText }, { embedCode }] = await Promise.all([
-      import("./page/clipboard.js"),
+      import("./page/exports.js"),
       import("./page/embed.js"),
     ]);
     const done = await copyText(embedCode(location.href, document.title));

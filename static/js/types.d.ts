@@ -130,18 +130,6 @@ interface Landmark {
   label: string;
 }
 
-interface Trace {
-  id: string;
-  label: string;
-  x: number[];
-  y: (number | null)[];
-  color: string;
-  dash?: string;
-  width?: number;
-  unit?: string;
-  axis?: "y" | "y2";
-}
-
 /** What main.js gives to a view. */
 interface ViewContext {
   element: HTMLElement;

@@ -1,9 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { roundUp, scaleOf, stops } from "../../static/js/plot/colors.js";
-import { contour } from "../../static/js/plot/contour.js";
-import { gridCsv } from "../../static/js/plot/grid.js";
+import { contour, roundUp, scaleOf, stops } from "../../static/js/plot/cells.js";
 import { nearest } from "../../static/js/plot/heatmap.js";
+import { gridCsv } from "../../static/js/plot/table.js";
 
 test("the scale is round, symmetric where signs matter, and not ruled by one corner", () => {
   assert.deepEqual(scaleOf([[0.1, -0.18]], "signed"), {

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { arrowSize, at, direction, signPlaces, stageOf } from "../../static/js/diagram/geometry.js";
-import { obstacles, plan, shortened } from "../../static/js/diagram/plan.js";
+import { obstacles, plan, shortened } from "../../static/js/diagram/words.js";
 import { boxOf, crosses, overlap, within } from "../../static/js/draw/boxes.js";
 
 /** Widths of a typical sans: what matters is that labels are about as wide as on the page. */
@@ -27,7 +27,7 @@ function drawing({ theta_i, theta_t, share, size, k = 0, unit = "deg" }) {
   const back = direction(theta_i, "incident");
   const up = direction(theta_i, "reflected");
   const down = theta_t === null ? null : direction(theta_t, "refracted");
-  /** @type {{along: import("../../static/js/diagram/geometry.js").Point, part: number | null}[]} */
+  /** @type {{along: Place, part: number | null}[]} */
   const rays = [
     { along: back, part: null },
     { along: up, part: share },

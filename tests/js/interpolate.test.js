@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { locate, read } from "../../static/js/numbers/interpolate.js";
+import { locate, read } from "../../static/js/curves/reading.js";
 
 const xs = [0, 1, 2, 2.5, 3];
 const ys = [0, 10, 20, null, 30];

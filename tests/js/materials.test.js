@@ -12,9 +12,8 @@ import {
   wavelengthProperty,
 } from "../../static/js/media/wavelength-color.js";
 import { stretch, wavelength } from "../../static/js/numbers/format.js";
+import { arrange, logTicks } from "../../static/js/plot/axes.js";
 import { bandShapes } from "../../static/js/plot/figure.js";
-import { arrange } from "../../static/js/plot/layout.js";
-import { logTicks } from "../../static/js/plot/ticks.js";
 import { LinkError } from "../../static/js/state/state.js";
 
 /** @param {string} id @param {object} [more] @returns {any} */

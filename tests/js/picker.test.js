@@ -2,14 +2,14 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { matching } from "../../static/js/controls/picker.js";
 import { sentence, spread } from "../../static/js/explore/dispersion.js";
-import { spreadPaths } from "../../static/js/explore/spread-paths.js";
 import {
   createConstants,
   isDispersive,
   knownRange,
   mediaAt,
+  spreadPaths,
 } from "../../static/js/media/constants.js";
-import { allowedWords, distance } from "../../static/js/state/nearest.js";
+import { allowedWords, distance } from "../../static/js/state/state.js";
 
 /** @param {string} id @param {object} [more] @returns {any} */
 const medium = (id, more = {}) => ({

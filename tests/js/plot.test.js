@@ -1,16 +1,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { overlap, within } from "../../static/js/draw/boxes.js";
-import { plainText, plotlyText, runs } from "../../static/js/draw/symbols.js";
-import { toCsv } from "../../static/js/plot/csv.js";
-import { dashArray } from "../../static/js/plot/dash.js";
-import { createPixels, curvePath } from "../../static/js/plot/fast.js";
-import { shortTitle, unitSuffix } from "../../static/js/plot/figure.js";
-import { placeLabels } from "../../static/js/plot/labels.js";
-import { arrange } from "../../static/js/plot/layout.js";
-import { placeMarkNames } from "../../static/js/plot/marks.js";
-import { pickedRows } from "../../static/js/plot/table.js";
-import { axisTicks, roundRange } from "../../static/js/plot/ticks.js";
+import { plainText, plotlyText, runs } from "../../static/js/draw/svg.js";
+import { arrange, axisTicks, roundRange } from "../../static/js/plot/axes.js";
+import { createPixels, curvePath, shortTitle, unitSuffix } from "../../static/js/plot/figure.js";
+import { placeLabels, placeMarkNames } from "../../static/js/plot/labels.js";
+import { dashArray } from "../../static/js/plot/legend.js";
+import { pickedRows, toCsv } from "../../static/js/plot/table.js";
 
 /** An axis of 100 px with values 0 … 1 from the bottom up. */
 const AXIS = { _length: 100, l2p: (/** @type {number} */ v) => 100 - 100 * v };
@@ -155,7 +151,7 @@ function boxes(curves, uprights = []) {
     return place ? [{ id, x: place.x - width / 2, y: place.y - height / 2, width, height }] : [];
   });
 }
-/** @param {ReturnType<typeof curve>} one @param {import("../../static/js/draw/boxes.js").Box} box */
+/** @param {ReturnType<typeof curve>} one @param {Box} box */
 const through = (one, box) =>
   one.x.some((x, i) => {
     const y = one.y[i];

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { mock, test } from "node:test";
-import { get, startWorker } from "../../static/js/server/transport.js";
+import { get, startWorker } from "../../static/js/server/api.js";
 
 /** @typedef {{data: unknown}} Message */
 

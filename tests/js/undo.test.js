@@ -1,7 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { createState, number } from "../../static/js/state/state.js";
-import { createUndo } from "../../static/js/state/undo.js";
+import { createState, createUndo, number } from "../../static/js/state/state.js";
 
 function started() {
   const n = number({ default: 1.5, minimum: 0, maximum: 9 });

@@ -1,6 +1,6 @@
 /** From and to: the ends of an axis, in boxes; an empty box leaves its end to the page. */
 
-import { evaluate } from "../numbers/expression.js";
+import { evaluate } from "../numbers/entry.js";
 import { plain } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
 

@@ -1,6 +1,6 @@
 /** Which fits stand against the exact albedo: in groups by where they are at home. */
 
-import { sample } from "../models/sample.js";
+import { sample } from "../models/look.js";
 import { h, setText } from "../page/dom.js";
 import { familiesOf } from "./answers.js";
 import { fitStyle } from "./style.js";

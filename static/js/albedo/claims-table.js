@@ -1,8 +1,8 @@
 /** The table of claims: sortable; a fit's name brings it onto the plot. */
 
-import { sample } from "../models/sample.js";
-import { copyText, flash } from "../page/clipboard.js";
+import { sample } from "../models/look.js";
 import { h } from "../page/dom.js";
+import { copyText, flash } from "../page/exports.js";
 import { COLUMNS, homeOf, rowsOf, sortedClaims } from "./claims.js";
 import { fitStyle } from "./style.js";
 

@@ -1,15 +1,10 @@
 /** The panel of the Albedo view: the figure, the media, what is drawn, the fits. */
 
-import { createChoice } from "../controls/choice.js";
-import { createInterface } from "../controls/interface.js";
-import { createSheet } from "../controls/sheet.js";
+import { createInterface } from "../controls/media.js";
+import { createChoice, createSheet } from "../controls/panel.js";
 import { h } from "../page/dom.js";
 import { createChooser } from "./chooser.js";
 import { chosenFits, isMetal } from "./fields.js";
-
-/**
- * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
- */
 
 /** @type {Record<string, {label: string, range: [number, number], wide: [number, number]}>} */
 const MANNERS = {

@@ -1,13 +1,12 @@
 /** The error of a fit over n and k, with what it was made for outlined. */
 
-import { createChoice } from "../controls/choice.js";
+import { createChoice } from "../controls/panel.js";
 import { short } from "../errors/metrics.js";
 import { plain, six } from "../numbers/format.js";
 import { h, setText } from "../page/dom.js";
-import { createExports } from "../page/exports.js";
+import { createDataTables, createExports } from "../page/exports.js";
 import { createTrouble } from "../page/trouble.js";
-import { roundUp } from "../plot/colors.js";
-import { createDataTables } from "../plot/data-table.js";
+import { roundUp } from "../plot/cells.js";
 import { createHeatmap } from "../plot/heatmap.js";
 import { createBounds } from "./bounds.js";
 import { printError } from "./claims.js";
@@ -84,7 +83,7 @@ export function sayLargest({ show, largest, largest_in_domain: inside, domains }
 /**
  * @param {HTMLElement} parent in the document: the map reads its colours and size from it
  * @param {object} options
- * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void}} options.actions
+ * @param {Pick<Actions, 'set'>} options.actions
  * @param {() => State} options.state
  * @param {(name: string, blob: Blob) => void} options.save
  */

@@ -1,13 +1,12 @@
 /** The albedo over its abscissa and, below it on the same axis, the signed errors of the fits. */
 
-import { createChoice } from "../controls/choice.js";
+import { createChoice } from "../controls/panel.js";
+import { locate, read } from "../curves/reading.js";
 import { errorRange } from "../errors/traces.js";
-import { locate, read } from "../numbers/interpolate.js";
-import { clamp } from "../numbers/snap.js";
+import { clamp } from "../numbers/entry.js";
 import { h, setText } from "../page/dom.js";
-import { createExports } from "../page/exports.js";
+import { createDataTables, createExports } from "../page/exports.js";
 import { createTrouble } from "../page/trouble.js";
-import { createDataTables } from "../plot/data-table.js";
 import { drawLegend } from "../plot/legend.js";
 import { MOST_LABELS } from "../plot/overlay.js";
 import { createPlot } from "../plot/plot.js";
@@ -17,7 +16,6 @@ import { held } from "./queries.js";
 import { albedoTraces, claimTraces, decisive, errorTraces, tamed } from "./traces.js";
 
 /**
- * @typedef {import('../plot/model.js').Trace} Trace
  * @typedef {import('./answers.js').Fit} Fit
  * @typedef {import('./answers.js').Sweep} Sweep
  */
@@ -53,7 +51,7 @@ export function albedoRange(traces) {
 /**
  * @param {HTMLElement} parent in the document: plots read their colours and sizes from it
  * @param {object} options
- * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
+ * @param {Actions} options.actions
  * @param {(name: string, blob: Blob) => void} options.save
  */
 export function createPlots(parent, { actions, save }) {

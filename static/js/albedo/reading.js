@@ -1,10 +1,10 @@
 /** The interface at hand: its exact albedos from both sides, and what the fits make of it. */
 
 import { short } from "../errors/metrics.js";
-import { sample } from "../models/sample.js";
+import { sample } from "../models/look.js";
 import { plain, six } from "../numbers/format.js";
-import { copyText, flash } from "../page/clipboard.js";
 import { h, setText, symbol } from "../page/dom.js";
+import { copyText, flash } from "../page/exports.js";
 import { sideOf } from "./answers.js";
 import { chosenFits, facing, isMetal } from "./fields.js";
 import { fitStyle } from "./style.js";

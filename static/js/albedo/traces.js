@@ -4,7 +4,6 @@ import { shortTitle } from "./answers.js";
 import { CLAIMED, fitStyle, OUTSIDE } from "./style.js";
 
 /**
- * @typedef {import('../plot/model.js').Trace} Trace
  * @typedef {import('./answers.js').Fit} Fit
  * @typedef {import('./answers.js').Sweep} Sweep
  * @typedef {import('./answers.js').SweepCurve} SweepCurve

@@ -1,13 +1,12 @@
 /** Glossy paint: a diffuse body under a clear coat, and where the light goes that falls on it. */
 
-import { createChoice } from "../controls/choice.js";
+import { createChoice } from "../controls/panel.js";
 import { createRow } from "../controls/row.js";
 import { put, svg } from "../draw/svg.js";
-import { evaluateAngle } from "../numbers/expression.js";
+import { evaluateAngle } from "../numbers/entry.js";
 import { angle, inDegrees, percent, plain, six } from "../numbers/format.js";
-import { copyText, flash } from "../page/clipboard.js";
 import { h, setText } from "../page/dom.js";
-import { createExports } from "../page/exports.js";
+import { copyText, createExports, flash } from "../page/exports.js";
 import { createTrouble } from "../page/trouble.js";
 import { fontFaces, rasterized, withStyle } from "../plot/image.js";
 import { coatPicture, outline } from "./picture.js";
@@ -44,7 +43,7 @@ const PAINT = [
  * @param {object} options
  * @param {State} options.presets
  * @param {() => State} options.state
- * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
+ * @param {Actions} options.actions
  * @param {(name: string, blob: Blob) => void} options.save
  * @param {(text: string) => void} options.say
  * @param {string} [options.prefix] of ids

@@ -1,7 +1,6 @@
 /** Which models stand against the exact curve: three groups, and a search over all of them. */
 
-import { modelStyle } from "../models/look.js";
-import { sample } from "../models/sample.js";
+import { modelStyle, sample } from "../models/look.js";
 import { h, setText } from "../page/dom.js";
 
 /** Whether a model is kept to show a mistake. @param {Model} model */

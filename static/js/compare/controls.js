@@ -1,14 +1,13 @@
 /** The panel of the Compare view: media, indices, models and their parameters. */
 
-import { createChoice } from "../controls/choice.js";
-import { createInterface } from "../controls/interface.js";
+import { createInterface } from "../controls/media.js";
+import { createChoice, createSheet } from "../controls/panel.js";
 import { createParameters } from "../controls/parameters.js";
-import { createSheet } from "../controls/sheet.js";
 import { h, setText } from "../page/dom.js";
 import { createChooser } from "./chooser.js";
 
 /**
- * @typedef {import('../controls/interface.js').Manner} Manner
+ * @typedef {import('../controls/media.js').Manner} Manner
  */
 
 /** The ranges of d'Eon's conductor comparison; "more" goes beyond them. @type {Record<string, Manner>} */
@@ -23,7 +22,7 @@ const MANNERS = {
  * @param {Catalog} options.catalog
  * @param {State} options.presets
  * @param {() => State} options.state
- * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
+ * @param {Actions} options.actions
  * @param {Field} options.family
  * @param {() => Promise<void>} options.describeMedia
  */

@@ -25,7 +25,7 @@ const SYMBOLS = {
 /**
  * @param {object} options
  * @param {() => State} options.state
- * @param {{set: (patch: State) => void}} options.actions
+ * @param {Pick<Actions, 'set'>} options.actions
  */
 export function createConvert({ state, actions }) {
   /** @type {Result[]} */

@@ -35,7 +35,7 @@ function told({ id, claimed, found, verdict, source }) {
 /**
  * @param {object} options
  * @param {State} options.presets
- * @param {{set: (patch: State) => void}} options.actions
+ * @param {Pick<Actions, 'set'>} options.actions
  */
 export function createExamples({ presets, actions }) {
   const buttons = EXAMPLES.map((example) => {

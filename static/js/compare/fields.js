@@ -2,10 +2,9 @@
 
 import { COLUMNS } from "../errors/metrics.js";
 import { EXAMPLES } from "../models/examples.js";
-import { parameterFields } from "../models/parameters.js";
+import { parameterFields } from "../server/questions.js";
 import { choice, LinkError, list, number } from "../state/state.js";
-import { snippetFields } from "../takeaway/code-fields.js";
-import { tableFields } from "../takeaway/table-fields.js";
+import { snippetFields, tableFields } from "../takeaway/fields.js";
 import { SOURCES } from "./conversions.js";
 
 /** What stands against the exact curve when nothing was chosen. */

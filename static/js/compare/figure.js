@@ -1,16 +1,14 @@
 /** The error over the media: against n or k for every model, or as a map of one. */
 
-import { createChoice } from "../controls/choice.js";
+import { createChoice } from "../controls/panel.js";
+import { locate, read } from "../curves/reading.js";
 import { mapOf, sweepOf } from "../errors/answers.js";
 import { short } from "../errors/metrics.js";
-import { modelStyle } from "../models/look.js";
-import { shortTitle } from "../models/traces.js";
-import { evaluate } from "../numbers/expression.js";
+import { modelStyle, shortTitle } from "../models/look.js";
+import { evaluate } from "../numbers/entry.js";
 import { inDegrees, inUnit, percent, plain } from "../numbers/format.js";
-import { locate, read } from "../numbers/interpolate.js";
 import { h, setText } from "../page/dom.js";
-import { createExports } from "../page/exports.js";
-import { createDataTables } from "../plot/data-table.js";
+import { createDataTables, createExports } from "../page/exports.js";
 import { createHeatmap } from "../plot/heatmap.js";
 import { createPlot } from "../plot/plot.js";
 import { focused, isMap, isPointwise, ranges } from "./fields.js";
@@ -39,7 +37,7 @@ const share = (x) => (x === null ? "undefined" : Math.abs(x) < 5e-4 ? short(x) :
  * @param {object} options
  * @param {HTMLElement} options.parent in the document, because plots read colours and sizes from it
  * @param {Catalog} options.catalog
- * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
+ * @param {Actions} options.actions
  * @param {(name: string, blob: Blob) => void} options.save
  */
 export function createFigure({ parent, catalog, actions, save }) {

@@ -1,13 +1,11 @@
 /** The overlaid curves and, below them on the same axis of angles, their errors. */
 
-import { createChoice } from "../controls/choice.js";
-import { landmarksOf } from "../curves/reading.js";
+import { createChoice } from "../controls/panel.js";
+import { landmarksOf, locate, read } from "../curves/reading.js";
 import { curveTraces, distinct, errorRange, errorTraces } from "../errors/traces.js";
 import { inDegrees, inUnit } from "../numbers/format.js";
-import { locate, read } from "../numbers/interpolate.js";
 import { h } from "../page/dom.js";
-import { createExports } from "../page/exports.js";
-import { createDataTables } from "../plot/data-table.js";
+import { createDataTables, createExports } from "../page/exports.js";
 import { traceUid } from "../plot/figure.js";
 import { createPlot } from "../plot/plot.js";
 
@@ -35,13 +33,13 @@ function angleAxis(unit) {
  * @param {object} options
  * @param {HTMLElement} options.parent in the document, because plots read colours and sizes from it
  * @param {Model[]} options.models
- * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
+ * @param {Actions} options.actions
  * @param {(name: string, blob: Blob) => void} options.save
  */
 export function createPlots({ parent, models, actions, save }) {
   /** @type {State | null} */
   let now = null;
-  /** @param {string} name @param {string} label @param {() => import('../plot/plot.js').Plot} plot */
+  /** @param {string} name @param {string} label @param {() => Plot} plot */
   const exports = (name, label, plot) =>
     createExports({
       what: `the ${label}`,

@@ -1,9 +1,7 @@
 /** What the Compare view asks the server for. */
 
-import { parameterQuery } from "../models/parameters.js";
-import { mediaQuery, path } from "../server/questions.js";
-import { codeOf, snippetPath } from "../takeaway/code-fields.js";
-import { lutPath } from "../takeaway/table-queries.js";
+import { mediaQuery, parameterQuery, path } from "../server/questions.js";
+import { codeOf, lutPath, snippetPath } from "../takeaway/fields.js";
 import { convertPath } from "./conversions.js";
 import { focused, isMap, isPointwise, ranges, withCode } from "./fields.js";
 

@@ -2,9 +2,8 @@
 
 import { candidatesOf } from "../errors/answers.js";
 import { printCost, sayCost, short } from "../errors/metrics.js";
-import { modelStyle } from "../models/look.js";
-import { sample } from "../models/sample.js";
-import { evaluate } from "../numbers/expression.js";
+import { modelStyle, sample } from "../models/look.js";
+import { evaluate } from "../numbers/entry.js";
 import { percent, plain } from "../numbers/format.js";
 import { h, setText } from "../page/dom.js";
 import { METRICS } from "./figure.js";
@@ -19,7 +18,7 @@ const ROUNDING = 1e-12;
  * @param {object} options
  * @param {Model[]} options.models
  * @param {() => State} options.state
- * @param {{set: (patch: State) => void}} options.actions
+ * @param {Pick<Actions, 'set'>} options.actions
  */
 export function createRecommend({ models, state, actions }) {
   const box = h("input", {

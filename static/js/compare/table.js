@@ -1,11 +1,9 @@
 /** The table of errors: sortable; the row under the pointer or the focus lights its curve. */
 
 import { COLUMNS, sayCost, sorted } from "../errors/metrics.js";
-import { modelStyle } from "../models/look.js";
-import { sample } from "../models/sample.js";
-import { CHANNELS, traceName } from "../models/traces.js";
-import { copyText, flash } from "../page/clipboard.js";
+import { CHANNELS, modelStyle, sample, traceName } from "../models/look.js";
 import { h, setText } from "../page/dom.js";
+import { copyText, flash } from "../page/exports.js";
 
 /**
  * @typedef {import('../errors/metrics.js').Row} Row

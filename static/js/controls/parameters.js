@@ -1,18 +1,15 @@
 /** Controls of the models' own parameters, made from their declarations. */
 
-import { modelStyle } from "../models/look.js";
-import { defaultOf, stateName } from "../models/parameters.js";
-import { sample } from "../models/sample.js";
-import { shortTitle } from "../models/traces.js";
-import { ExpressionError, evaluate } from "../numbers/expression.js";
+import { modelStyle, sample, shortTitle } from "../models/look.js";
+import { ExpressionError, evaluate } from "../numbers/entry.js";
 import { plain } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
-import { createChoice } from "./choice.js";
+import { defaultOf, stateName } from "../server/questions.js";
+import { createChoice } from "./panel.js";
 import { createRow } from "./row.js";
 
 /**
  * @typedef {{element: HTMLElement, update: (value: any, solved?: number) => void, stop: () => void}} Control
- * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
  */
 
 const CHANNELS = /** @type {const} */ (["R", "G", "B"]);

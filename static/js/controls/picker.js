@@ -1,7 +1,7 @@
 /** One of the catalog's media: a field that is typed into, and the list of what fits. */
 
 import { h } from "../page/dom.js";
-import { distance } from "../state/nearest.js";
+import { distance } from "../state/state.js";
 
 const MOST_TYPOS = 2;
 let pickers = 0;

@@ -1,9 +1,8 @@
 /** A Manipulate row: symbol, name, number box; below it play, slider, range. */
 
 import { put } from "../draw/svg.js";
-import { ExpressionError, evaluate } from "../numbers/expression.js";
+import { clamp, ExpressionError, evaluate, snap, stepped } from "../numbers/entry.js";
 import { plain } from "../numbers/format.js";
-import { clamp, snap, stepped } from "../numbers/snap.js";
 import { h, setText, symbol } from "../page/dom.js";
 
 const ROUNDING = 1e-12;

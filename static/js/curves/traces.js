@@ -1,6 +1,6 @@
 /** What the plot of the Explore view shows, in the unit of its axis. */
 
-import { modelTraces } from "../models/traces.js";
+import { modelTraces } from "../models/look.js";
 import { inUnit } from "../numbers/format.js";
 import { allLandmarksOf, values } from "./reading.js";
 

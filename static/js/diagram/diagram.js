@@ -7,37 +7,19 @@
 
 import { put, px, show } from "../draw/svg.js";
 import { angle } from "../numbers/format.js";
-import { readTheme } from "../plot/theme.js";
-import { createAnnotations } from "./annotate.js";
-import { listenForDrags } from "./drag.js";
-import { createFan } from "./fan.js";
-import { arcPath, at, direction, stageOf, tint } from "./geometry.js";
-import { setArrow, setDecay, setIncident, setLine, setScale, setSigns } from "./paint.js";
-import { createScene } from "./scene.js";
-import { description } from "./words.js";
-
-/**
- * @typedef {object} DiagramValues
- * @property {{n_i: number, n_t: number, k_t: number}} interface
- * @property {number} theta_i_deg
- * @property {number | null} theta_t_deg
- * @property {number} R
- * @property {number} Rs
- * @property {number} Rp
- * @property {number} T
- * @property {number} [Ts]
- * @property {number} [Tp]
- * @property {boolean} tir
- * @property {number | null} penetration_depth_wavelengths
- * @property {"s" | "p" | "unpolarized"} polarization
- * @property {{incident: string, transmitted: string}} labels
- * @property {"deg" | "rad"} angleUnit
- * @property {readonly {deg: number, label: string}[]} landmarks
- * @property {readonly {nm: number, theta_t_deg: number | null, color: string}[]} [dispersion] refracted rays
- *   of white light, in place of the one
- */
-
-/** @typedef {import("./drag.js").DragActions} DiagramActions */
+import { readTheme } from "../plot/host.js";
+import { angleAt, arcPath, at, direction, stageOf, tint } from "./geometry.js";
+import {
+  createFan,
+  createScene,
+  setArrow,
+  setDecay,
+  setIncident,
+  setLine,
+  setScale,
+  setSigns,
+} from "./scene.js";
+import { createAnnotations, description } from "./words.js";
 
 /** The smallest host that is worth drawing into; a hidden one has no size. */
 const SMALLEST = 40;
@@ -78,7 +60,7 @@ function sharesOf({ polarization, R, Rs, Rp, T, Ts = 1 - Rs, Tp = 1 - Rp }) {
 
 /**
  * @param {HTMLElement} element
- * @param {DiagramActions} actions
+ * @param {DragActions} actions
  */
 export function createDiagram(element, actions) {
   element.classList.add("diagram");
@@ -225,4 +207,117 @@ export function createDiagram(element, actions) {
       element.replaceChildren();
     },
   };
+}
+
+/** With Shift the ray turns by this share of the pointer's turn. */
+const FINE = 0.1;
+
+/**
+ * @param {object} task
+ * @param {HTMLElement} task.host
+ * @param {HTMLElement} task.handle
+ * @param {SVGElement} task.grip
+ * @param {() => Stage} task.stage
+ * @param {() => number} task.theta
+ * @param {DragActions} task.actions
+ * @returns {() => void} stop listening
+ */
+export function listenForDrags({ host, handle, grip, stage, theta, actions }) {
+  const listening = new AbortController();
+  const { signal } = listening;
+  /** @type {{id: number, from: number, pointer: number, fine: boolean} | null} */
+  let held = null;
+
+  /** @param {PointerEvent} event */
+  const pointed = (event) => {
+    const bounds = host.getBoundingClientRect();
+    return angleAt(stage(), { x: event.clientX - bounds.left, y: event.clientY - bounds.top });
+  };
+
+  host.addEventListener(
+    "pointerdown",
+    (event) => {
+      if (!event.isPrimary || event.button !== 0) return;
+      const taken = event.target === handle || event.target === grip;
+      const { y } = stage();
+      const above = event.clientY - host.getBoundingClientRect().top < y;
+      if (!taken && (event.pointerType === "touch" || !above)) return;
+      host.setPointerCapture(event.pointerId);
+      handle.focus({ preventScroll: true });
+      event.preventDefault();
+      host.toggleAttribute("data-dragging", true);
+      const pointer = pointed(event);
+      // The handle stays under the point where it was taken; elsewhere the ray comes to the pointer.
+      held = {
+        id: event.pointerId,
+        from: taken ? theta() : pointer,
+        pointer,
+        fine: event.shiftKey,
+      };
+      if (!taken) actions.onTheta(pointer, { fine: event.shiftKey, free: event.altKey });
+    },
+    { signal },
+  );
+
+  host.addEventListener(
+    "pointermove",
+    (event) => {
+      if (!held || event.pointerId !== held.id) return;
+      const pointer = pointed(event);
+      if (event.shiftKey !== held.fine) {
+        held = { id: held.id, from: theta(), pointer, fine: event.shiftKey };
+      }
+      const turned = (pointer - held.pointer) * (held.fine ? FINE : 1);
+      const value = Math.min(90, Math.max(0, held.from + turned));
+      actions.onTheta(value, { fine: event.shiftKey, free: event.altKey });
+    },
+    { signal },
+  );
+
+  /** @param {PointerEvent} event */
+  const release = (event) => {
+    if (!held || event.pointerId !== held.id) return;
+    held = null;
+    host.removeAttribute("data-dragging");
+    actions.onSettle?.();
+  };
+  host.addEventListener("pointerup", release, { signal });
+  host.addEventListener("pointercancel", release, { signal });
+
+  /** @param {KeyboardEvent} event */
+  const kindOf = (event) => {
+    const arrow = event.shiftKey ? "fine" : "";
+    /** @type {Record<string, string>} */
+    const kinds = {
+      ArrowRight: `${arrow}+`,
+      ArrowUp: `${arrow}+`,
+      ArrowLeft: `${arrow}-`,
+      ArrowDown: `${arrow}-`,
+      PageUp: "page+",
+      PageDown: "page-",
+      Home: "home",
+      End: "end",
+    };
+    return /** @type {Parameters<NonNullable<DragActions["onStep"]>>[0] | undefined} */ (
+      kinds[event.key]
+    );
+  };
+  handle.addEventListener(
+    "keydown",
+    (event) => {
+      const kind = kindOf(event);
+      if (!kind || event.ctrlKey || event.metaKey) return;
+      event.preventDefault();
+      actions.onStep?.(kind);
+    },
+    { signal },
+  );
+  handle.addEventListener(
+    "keyup",
+    (event) => {
+      if (kindOf(event)) actions.onSettle?.();
+    },
+    { signal },
+  );
+  return () => listening.abort();
 }

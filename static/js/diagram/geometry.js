@@ -3,21 +3,6 @@
  * upper left. Nothing here knows optics; angles and shares come from the server.
  */
 
-/** @typedef {{x: number, y: number}} Point */
-/**
- * @typedef {object} Stage
- * @property {number} width
- * @property {number} height
- * @property {number} x where the ray meets the surface
- * @property {number} y
- * @property {number} length of an arrow that carries all of the light
- * @property {number} arc radius of the angles' arcs
- * @property {number} wavelength px that stand for one vacuum wavelength of depth
- * @property {number} inset px of words from the edge
- * @property {number} unit how much larger than at a desk everything is written
- * @property {{top: number, bottom: number}} normal its two ends
- */
-
 const RADIAN = Math.PI / 180;
 
 /**
@@ -52,7 +37,7 @@ export function stageOf(width, height, unit = 1) {
  * along the refracted ray. Exactly upright and level at 0 and 90 degrees.
  * @param {number} degrees from the normal
  * @param {"incident" | "reflected" | "refracted"} ray
- * @returns {Point}
+ * @returns {Place}
  */
 export function direction(degrees, ray) {
   const sine = degrees === 90 ? 1 : Math.sin(degrees * RADIAN);
@@ -64,10 +49,10 @@ export function direction(degrees, ray) {
 }
 
 /**
- * @param {Point} from
- * @param {Point} along unit vector
+ * @param {Place} from
+ * @param {Place} along unit vector
  * @param {number} distance
- * @returns {Point}
+ * @returns {Place}
  */
 export function at(from, along, distance) {
   return { x: from.x + along.x * distance, y: from.y + along.y * distance };
@@ -78,7 +63,7 @@ const short = (value) => Number(value.toFixed(2));
 
 /**
  * Path of the arc from the normal to a ray.
- * @param {Point} origin
+ * @param {Place} origin
  * @param {number} radius
  * @param {number} degrees
  * @param {"incident" | "refracted"} ray
@@ -92,15 +77,15 @@ export function arcPath(origin, radius, degrees, ray) {
 
 /**
  * The same arc as a chain of chords, for labels to keep clear of.
- * @param {Point} origin
+ * @param {Place} origin
  * @param {number} radius
  * @param {number} degrees
  * @param {"incident" | "refracted"} ray
- * @returns {import("../draw/boxes.js").Segment[]}
+ * @returns {Segment[]}
  */
 export function arcChords(origin, radius, degrees, ray) {
   const count = Math.max(1, Math.ceil(degrees / 10));
-  /** @type {import("../draw/boxes.js").Segment[]} */
+  /** @type {Segment[]} */
   const chords = [];
   let from = at(origin, direction(0, ray), radius);
   for (let n = 1; n <= count; n += 1) {
@@ -161,8 +146,8 @@ export const HEAD_PATH = "M0,0L-1,-.4L-.78,0L-1,.4Z";
 /**
  * Angle of incidence of a ray through a point of the screen: the upper left quadrant, and beyond
  * its sides the nearest end.
- * @param {Point} origin
- * @param {Point} point
+ * @param {Place} origin
+ * @param {Place} point
  * @returns {number} degrees, 0 … 90
  */
 export function angleAt(origin, point) {

@@ -6,15 +6,6 @@
 import { boxOf, crosses, grown, overlap, reach, within } from "../draw/boxes.js";
 import { at, direction } from "./geometry.js";
 
-/** @typedef {import("../draw/boxes.js").Box} Box */
-/** @typedef {import("../draw/boxes.js").Segment} Segment */
-/** @typedef {import("./geometry.js").Point} Point */
-/** @typedef {import("./geometry.js").Stage} Stage */
-/** @typedef {{width: number, height: number}} Extent */
-/** @typedef {{slot: string, x: number, y: number, cost: number}} Candidate centre of the label */
-/** @typedef {{id: string, size: Extent, candidates: Candidate[], optional?: boolean}} Wish */
-/** @typedef {{id: string, slot: string, x: number, y: number, clear: boolean}} Placed */
-
 const GAP = 6;
 const BLOCKED = 1000;
 const LOYALTY = 1.2;
@@ -27,8 +18,8 @@ const GOOD = 1.2;
 
 /**
  * Whether a label lies in the quadrant of what it names.
- * @param {Point} place
- * @param {Extent} size
+ * @param {Place} place
+ * @param {Size} size
  * @param {Stage} stage
  * @param {"incident" | "reflected" | "refracted"} ray
  */
@@ -47,7 +38,7 @@ function inQuadrant(place, size, stage, ray) {
  * @param {Stage} stage
  * @param {number} degrees
  * @param {"incident" | "refracted"} ray
- * @param {Extent} size
+ * @param {Size} size
  * @returns {Candidate[]}
  */
 export function angleCandidates(stage, degrees, ray, size) {
@@ -80,9 +71,9 @@ export function angleCandidates(stage, degrees, ray, size) {
 /**
  * Places for the name of an arrow: to either side of its direction, from the tip on.
  * @param {Stage} stage
- * @param {Point} along unit vector of the arrow
+ * @param {Place} along unit vector of the arrow
  * @param {number} length px of the arrow
- * @param {Extent} size
+ * @param {Size} size
  * @param {number} clearance px from the arrow's middle line
  * @param {"reflected" | "refracted"} ray
  * @returns {Candidate[]}

@@ -1,8 +1,5 @@
 /** Rectangles and segments in pixels: what labels must not cover. */
 
-/** @typedef {{x: number, y: number, width: number, height: number}} Box */
-/** @typedef {{x1: number, y1: number, x2: number, y2: number}} Segment */
-
 /**
  * @param {Box} box
  * @param {number} by grown by this on every side

@@ -1,6 +1,6 @@
 /** The curves of the Compare view and their errors, from the curves that the server sent. */
 
-import { modelTraces } from "../models/traces.js";
+import { modelTraces } from "../models/look.js";
 import { plain } from "../numbers/format.js";
 
 /**

@@ -1,17 +1,14 @@
 /** The controls of the Explore view, made from the declared parameters. */
 
-import { createChoice } from "../controls/choice.js";
 import { createMedia } from "../controls/media.js";
+import { createChoice, createSheet } from "../controls/panel.js";
 import { createRow } from "../controls/row.js";
-import { createSheet } from "../controls/sheet.js";
-import { modelStyle } from "../models/look.js";
-import { sample } from "../models/sample.js";
-import { evaluateAngle } from "../numbers/expression.js";
+import { modelStyle, sample } from "../models/look.js";
+import { evaluateAngle } from "../numbers/entry.js";
 import { angle, inDegrees, inUnit, plain } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
 
 /**
- * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
  * @typedef {Pick<import('../controls/row.js').RowOptions, 'label' | 'range' | 'wide' | 'steps'>} Manner
  */
 

@@ -1,23 +1,17 @@
 /** White light at the surface: where each wavelength goes, from the curves that the server computed. */
 
-import { values } from "../curves/reading.js";
-import { knownRange } from "../media/constants.js";
+import { locate, read, values } from "../curves/reading.js";
+import { knownRange, spreadPaths } from "../media/constants.js";
 import { wavelengthColor } from "../media/wavelength-color.js";
 import { angle } from "../numbers/format.js";
-import { locate, read } from "../numbers/interpolate.js";
 import { h, setText } from "../page/dom.js";
-import { spreadPaths } from "./spread-paths.js";
-
-/**
- * @typedef {{nm: number, theta_t_deg: number | null, color: string}} Ray
- */
 
 /**
  * The refracted rays of white light at the page's angle, as far as their curves have come.
  * @param {State} state
  * @param {Material[]} materials
  * @param {Record<string, any>} answers
- * @returns {Ray[]}
+ * @returns {ColoredRay[]}
  */
 export function spread(state, materials, answers) {
   const dark = globalThis.document?.documentElement.dataset.theme === "dark";
@@ -56,7 +50,7 @@ export function createDispersion() {
   let shown = "";
   return {
     element,
-    /** @param {Ray[]} rays @param {State} state @param {Material[]} materials */
+    /** @param {ColoredRay[]} rays @param {State} state @param {Material[]} materials */
     update(rays, state, materials) {
       const on = state.light === "white";
       if (element.hidden === on) element.hidden = !on;
@@ -87,7 +81,7 @@ export function createDispersion() {
   };
 }
 
-/** @param {Ray[]} rays @param {State} state @param {boolean} varies */
+/** @param {ColoredRay[]} rays @param {State} state @param {boolean} varies */
 export function sentence(rays, state, varies) {
   if (!varies) return "White light: name a medium whose indices vary with the wavelength.";
   const [first] = rays;

@@ -1,8 +1,8 @@
 /** The numbers of the Explore view: shown with six digits, copied in full. */
 
 import { angle, inUnit, six } from "../numbers/format.js";
-import { copyText, flash } from "../page/clipboard.js";
 import { h, setText, symbol } from "../page/dom.js";
+import { copyText, flash } from "../page/exports.js";
 
 /**
  * @typedef {import('../curves/reading.js').Reading} Reading

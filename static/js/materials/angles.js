@@ -1,9 +1,9 @@
 /** R over the angle at wavelengths of choice: Shirley's figure of copper, for any material. */
 
+import { locate, read } from "../curves/reading.js";
 import { axesOf } from "../curves/traces.js";
 import { wavelengthColor, wavelengthDash, wavelengthProperty } from "../media/wavelength-color.js";
 import { inDegrees, inUnit, plain } from "../numbers/format.js";
-import { locate, read } from "../numbers/interpolate.js";
 import { h, setText } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
 import { LinkError } from "../state/state.js";
@@ -18,7 +18,7 @@ export function angleAxis({ angle }) {
 /**
  * @param {object} options
  * @param {HTMLElement} options.parent in the document
- * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
+ * @param {Actions} options.actions
  * @param {(name: string, blob: Blob) => void} options.save
  */
 export function createAngles({ parent, actions, save }) {

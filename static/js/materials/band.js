@@ -1,6 +1,6 @@
 /** What several measurements of one quantity span. */
 
-import { locate, read } from "../numbers/interpolate.js";
+import { locate, read } from "../curves/reading.js";
 
 /**
  * @typedef {{x: number[], y: (number | null)[]}} Series

@@ -5,7 +5,6 @@ import { createPresetTable } from "./table.js";
 
 /**
  * @typedef {import('./columns.js').Preset} Preset
- * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
  */
 
 const PAUSE = 600; // ms after which what was typed stands

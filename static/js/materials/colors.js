@@ -3,8 +3,8 @@
  * against the spectrum integrated at every angle.
  */
 
+import { locate, read } from "../curves/reading.js";
 import { inDegrees, inUnit, plain, significant } from "../numbers/format.js";
-import { locate, read } from "../numbers/interpolate.js";
 import { h } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
 import { angleAxis } from "./angles.js";
@@ -27,7 +27,7 @@ const TITLES = {
  * @param {object} options
  * @param {HTMLElement} options.parent in the document
  * @param {Catalog} options.catalog
- * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
+ * @param {Actions} options.actions
  * @param {(name: string, blob: Blob) => void} options.save
  */
 export function createColors({ parent, catalog, actions, save }) {

@@ -19,7 +19,7 @@ const AXES = { o: "ordinary ray", e: "extraordinary ray" };
 /**
  * @param {object} options
  * @param {readonly {id: string, title: string}[]} options.views
- * @param {{set: (patch: State) => void}} options.actions
+ * @param {Pick<Actions, 'set'>} options.actions
  */
 export function createHead({ views, actions }) {
   const name = h("h2", { class: "material-name", tabindex: "-1" });

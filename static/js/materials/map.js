@@ -1,6 +1,6 @@
 /** Reflectance over angle and wavelength. */
 
-import { createChoice } from "../controls/choice.js";
+import { createChoice } from "../controls/panel.js";
 import { inDegrees, inUnit, significant } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { createHeatmap } from "../plot/heatmap.js";
@@ -12,7 +12,7 @@ const NAMES = /** @type {Record<string, string>} */ ({ R: "R", Rs: "Rₛ", Rp: "
 /**
  * @param {object} options
  * @param {HTMLElement} options.parent in the document
- * @param {{set: (patch: State) => void}} options.actions
+ * @param {Pick<Actions, 'set'>} options.actions
  * @param {(name: string, blob: Blob) => void} options.save
  */
 export function createMap({ parent, actions, save }) {

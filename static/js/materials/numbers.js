@@ -1,10 +1,10 @@
 /** Constants and colors of the chosen preset: shown with six digits, copied in full. */
 
-import { createChoice } from "../controls/choice.js";
-import { ExpressionError, evaluate } from "../numbers/expression.js";
+import { createChoice } from "../controls/panel.js";
+import { ExpressionError, evaluate } from "../numbers/entry.js";
 import { plain, significant, six, stretch } from "../numbers/format.js";
-import { copyText, flash } from "../page/clipboard.js";
 import { h, setText, symbol } from "../page/dom.js";
+import { copyText, flash } from "../page/exports.js";
 import { POLICIES } from "./browser.js";
 import { paint } from "./table.js";
 
@@ -23,7 +23,7 @@ const CHANNELS = ["R", "G", "B"];
 
 /**
  * @param {object} options
- * @param {{set: (patch: State) => void}} options.actions
+ * @param {Pick<Actions, 'set'>} options.actions
  * @param {(text: string) => void} options.say
  */
 export function createNumbers({ actions, say }) {

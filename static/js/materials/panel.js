@@ -1,8 +1,7 @@
 /** A figure with its heading, its controls, what went wrong with it, its files and its data table. */
 
 import { h, setText } from "../page/dom.js";
-import { createExports } from "../page/exports.js";
-import { createDataTables } from "../plot/data-table.js";
+import { createDataTables, createExports } from "../page/exports.js";
 
 /**
  * @typedef {import('../page/exports.js').Published & {exportAs: (format: 'png' | 'svg' | 'csv') => Promise<Blob>, table: () => HTMLTableElement,

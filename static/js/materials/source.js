@@ -1,8 +1,8 @@
 /** Where the numbers come from, and how far other measurements lie from them. */
 
 import { plain, stretch } from "../numbers/format.js";
-import { copyText, flash } from "../page/clipboard.js";
 import { h, setText } from "../page/dom.js";
+import { copyText, flash } from "../page/exports.js";
 import { narrow } from "./columns.js";
 
 /** Units that end the names of conditions. @type {Record<string, string>} */

@@ -1,6 +1,6 @@
 /** n and k over the wavelength, with what rival measurements span, or the reflectance that follows. */
 
-import { createChoice } from "../controls/choice.js";
+import { createChoice } from "../controls/panel.js";
 import { stretch } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
@@ -31,7 +31,7 @@ export function shownRange(spectrum, { reach }) {
  * @param {object} options
  * @param {HTMLElement} options.parent in the document
  * @param {Catalog} options.catalog
- * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
+ * @param {Actions} options.actions
  * @param {(name: string, blob: Blob) => void} options.save
  */
 export function createSpectrum({ parent, catalog, actions, save }) {

@@ -28,7 +28,6 @@ export function createDefinitions(
     if (!element.open || shown === wanted.join()) return;
     shown = wanted.join();
     await describe?.();
-    const { fillDefinitions } = await import("./definition-list.js");
     await fillDefinitions(
       list,
       models.filter((m) => wanted.includes(m.id)),
@@ -45,4 +44,34 @@ export function createDefinitions(
       void fill();
     },
   };
+}
+
+/**
+ * @param {HTMLElement} list
+ * @param {Model[]} models
+ * @param {(latex: string, element: HTMLElement) => Promise<void>} typeset
+ */
+async function fillDefinitions(list, models, typeset) {
+  const entries = models.map((model) => {
+    const formula = h("div", {
+      class: "formula",
+      tabindex: "0",
+      role: "group",
+      "aria-label": `Formula of ${model.title}`,
+    });
+    return {
+      model,
+      formula,
+      block: h(
+        "section",
+        {},
+        h("h3", {}, model.title),
+        formula,
+        h("p", {}, model.validity),
+        h("p", { class: "source" }, model.reference),
+      ),
+    };
+  });
+  list.replaceChildren(...entries.map((e) => e.block));
+  for (const { model, formula } of entries) await typeset(model.latex, formula);
 }

@@ -4,8 +4,7 @@ import { h } from "./dom.js";
 
 /**
  * @typedef {'png' | 'svg' | 'csv'} Format
- * @typedef {import("../plot/publication.js").Publication} Publication
- * @typedef {import("../publish/media.js").Behind} Behind
+ * @typedef {import("../publish/caption.js").Behind} Behind
  * @typedef {object} Published a figure that can be drawn for a publication
  * @property {(format: 'png' | 'svg', publication: Publication) => Promise<Blob>} exportAs
  * @property {() => {name: string, ids: readonly string[]}} about its title, and what is drawn in it
@@ -70,4 +69,57 @@ export function createExports({ what, name, make, save, print }) {
         "For print…",
       ),
   );
+}
+
+/** @param {string} text @returns {Promise<boolean>} whether it was copied */
+export async function copyText(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    const area = document.createElement("textarea");
+    area.value = text;
+    area.className = "hidden";
+    document.body.append(area);
+    area.select();
+    const done = document.execCommand("copy");
+    area.remove();
+    return done;
+  }
+}
+
+/**
+ * Show on a button for a moment that it did its work.
+ * @param {HTMLElement} button
+ * @param {boolean} done
+ */
+export function flash(button, done) {
+  button.dataset.flash = done ? "copied" : "not copied";
+  setTimeout(() => delete button.dataset.flash, 1200);
+}
+
+/**
+ * @param {string} summary
+ * @param {Record<string, () => HTMLElement[]>} named what makes the tables, by the name of each place; none keeps what is there
+ */
+export function createDataTables(summary, named) {
+  const places = Object.entries(named).map(([name, make]) => ({
+    make,
+    host: h("div", { class: "plot-table", tabindex: "0", role: "region", "aria-label": name }),
+  }));
+  const element = h(
+    "details",
+    { class: "definitions" },
+    h("summary", {}, summary),
+    ...places.map((place) => place.host),
+  );
+  function fill() {
+    if (!element.open) return;
+    for (const { make, host } of places) {
+      const tables = make();
+      if (tables.length) host.replaceChildren(...tables);
+    }
+  }
+  element.addEventListener("toggle", fill);
+  return { element, fill };
 }

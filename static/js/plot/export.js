@@ -1,18 +1,13 @@
 /** A plot as a file that stands alone: title, names, marks and background included. */
 
-import { advances, createMeasure } from "../draw/measure.js";
-import { plainText, plotlyText } from "../draw/symbols.js";
+import { advances, createMeasure, plainText, plotlyText } from "../draw/svg.js";
+import { arrange } from "./axes.js";
 import { bandShapes, CONFIG, plotlyLayout, plotlyTraces } from "./figure.js";
 import { fontFaces, rasterized, withStyle } from "./image.js";
-import { keyRows } from "./key-rows.js";
-import { placeLabels } from "./labels.js";
-import { arrange } from "./layout.js";
-import { placeMarkNames } from "./marks.js";
+import { placeLabels, placeMarkNames } from "./labels.js";
+import { keyRows } from "./legend.js";
 import { MOST_LABELS } from "./overlay.js";
 import { drawingSize, onGround, onPaper, withDensity, wrapped } from "./publication.js";
-
-/** @typedef {import("./model.js").Trace} Trace */
-/** @typedef {import("./model.js").Mark} Mark */
 
 const HEADER = 32;
 const LABEL_SIZE = 17;
@@ -32,11 +27,11 @@ const DOTS_PER_MM = 600 / 25.4;
  * @param {number} [picture.padding] on every side, px
  * @param {readonly Trace[]} picture.traces
  * @param {readonly Mark[]} picture.marks
- * @param {readonly import("./model.js").Band[]} [picture.bands]
+ * @param {readonly Band[]} [picture.bands]
  * @param {number} [picture.most] names at the curves
- * @param {import("./layout.js").Axes} picture.axes
- * @param {import("./theme.js").Theme} picture.theme
- * @param {import("./model.js").Size} picture.size without legend and caption
+ * @param {Axes} picture.axes
+ * @param {Theme} picture.theme
+ * @param {Size} picture.size without legend and caption
  * @returns {Plotly.Figure}
  */
 export function exportFigure({
@@ -199,10 +194,10 @@ export function exportFigure({
 /**
  * A plot as it stands on the page, or fitted to a publication.
  * @param {HTMLElement} element of the plot
- * @param {Omit<Parameters<typeof exportFigure>[0], "size"> & {size?: import("./model.js").Size, at: number | null}} picture
+ * @param {Omit<Parameters<typeof exportFigure>[0], "size"> & {size?: Size, at: number | null}} picture
  *   `at` is where the marker stands
  * @param {"png" | "svg"} format
- * @param {import("./publication.js").Publication} [publication]
+ * @param {Publication} [publication]
  */
 export function exportPlot(element, { at, size: shown, ...picture }, format, publication) {
   const still = picture.marks.filter((mark) => mark.kind !== "current");
@@ -226,9 +221,9 @@ export function exportPlot(element, { at, size: shown, ...picture }, format, pub
 /**
  * Paragraphs as lines below a picture, and the room they take.
  * @param {readonly string[]} paragraphs
- * @param {Pick<import("./layout.js").Arrangement, "size" | "margins" | "padding">} arrangement
+ * @param {Pick<Arrangement, "size" | "margins" | "padding">} arrangement
  * @param {number} above room of a legend between the plot and them
- * @param {import("./theme.js").Theme} theme
+ * @param {Theme} theme
  */
 export function captioned(paragraphs, { size, margins, padding }, above, { family, ink }) {
   const font = { size: 11, color: ink };

@@ -5,39 +5,24 @@
  * to cell, and Enter, like a click, goes to the place it stands on.
  */
 
-import { createMeasure } from "../draw/measure.js";
-import { put, px, show, svg } from "../draw/svg.js";
-import { plainText } from "../draw/symbols.js";
+import { createMeasure, plainText, put, px, show, svg } from "../draw/svg.js";
 import { plain } from "../numbers/format.js";
-import { createCells, putCells } from "./cells.js";
-import { scaleOf, stops } from "./colors.js";
-import { contour } from "./contour.js";
+import { arrange } from "./axes.js";
+import {
+  contour,
+  createCells,
+  createOutlines,
+  drawKey,
+  putCells,
+  regionShapes,
+  scaleOf,
+  stops,
+} from "./cells.js";
 import { captioned, imageOf, PRINT_PADDING } from "./export.js";
 import { CONFIG, plotlyLayout, unitSuffix } from "./figure.js";
-import { gridCsv, gridTable } from "./grid.js";
-import { drawKey } from "./key.js";
-import { arrange } from "./layout.js";
-import { library } from "./library.js";
+import { library, readTheme } from "./host.js";
 import { drawingSize, onGround } from "./publication.js";
-import { createOutlines, regionShapes } from "./regions.js";
-import { readTheme } from "./theme.js";
-
-/**
- * @typedef {import("./model.js").Axis} Axis
- * @typedef {import("./colors.js").ScaleKind} ScaleKind
- * @typedef {{x: readonly number[], y: readonly number[], z: readonly (readonly (number | null)[])[]}} Grid
- * @typedef {{title: string, kind: ScaleKind, print: (value: number | null) => string, level?: number | null,
- *   range?: readonly [number, number]}} Values `level` is the size that a line is drawn at, `range` what the colours span where
- *   the data are not to say it
- * @typedef {object} MapOptions
- * @property {string} name
- * @property {Axis} x
- * @property {Axis} y
- * @property {Values} z
- * @property {readonly import("./regions.js").Region[]} [regions] to be outlined
- * @property {readonly string[]} [ids] of the models or fits that it shows
- * @property {(x: number, y: number) => void} onPick
- */
+import { gridCsv, gridTable } from "./table.js";
 
 const SMALLEST = 40;
 /** Beside an exported map, for the key of its colors, px. */
@@ -88,9 +73,9 @@ export function createHeatmap(element, options) {
   let theme = readTheme(element);
   /** @type {Grid | null} */
   let grid = null;
-  /** @type {import("./layout.js").Arrangement | null} */
+  /** @type {Arrangement | null} */
   let arrangement = null;
-  /** @type {import("./colors.js").Scale} */
+  /** @type {MapScale} */
   let scale = { kind: "size", low: 0, high: 1, capped: false };
   let current = { x: Number.NaN, y: Number.NaN };
   /** @type {{column: number, row: number} | null} the cell that the keyboard stands on, if it has left the current place */
@@ -164,7 +149,7 @@ export function createHeatmap(element, options) {
 
   const placeKey = () => drawKey(key, scale, values, theme.color);
 
-  /** @param {import("./theme.js").Theme} [inks] */
+  /** @param {Theme} [inks] */
   function traces(inks = theme) {
     return [
       {
@@ -183,7 +168,7 @@ export function createHeatmap(element, options) {
     ];
   }
 
-  /** @param {import("./layout.js").Arrangement} layout @param {import("./theme.js").Theme} [inks] */
+  /** @param {Arrangement} layout @param {Theme} [inks] */
   function bareLayout(layout, inks = theme) {
     const full = plotlyLayout(axes(), layout, inks);
     const still = { showgrid: false };
@@ -195,7 +180,7 @@ export function createHeatmap(element, options) {
     };
   }
 
-  /** @param {{width: number, height: number}} size @param {{header?: number, padding?: number}} [around] @param {import("./theme.js").Theme} [inks] */
+  /** @param {{width: number, height: number}} size @param {{header?: number, padding?: number}} [around] @param {Theme} [inks] */
   function arranged(size, around = {}, inks = theme) {
     const measure = createMeasure({ ...inks, size: 12 * inks.unit });
     return arrange({
@@ -211,8 +196,8 @@ export function createHeatmap(element, options) {
 
   /**
    * The map with its colors' key, to stand alone.
-   * @param {import("./model.js").Size} size without the caption
-   * @param {import("./theme.js").Theme} inks
+   * @param {Size} size without the caption
+   * @param {Theme} inks
    * @param {string} title above it, unless it is empty
    * @param {readonly string[]} [caption]
    * @returns {Plotly.Figure}
@@ -391,7 +376,7 @@ export function createHeatmap(element, options) {
     },
     about: () => ({ name, ids }),
     beside: KEY_WIDTH,
-    /** @param {'png' | 'svg' | 'csv'} format @param {import("./publication.js").Publication} [publication] */
+    /** @param {'png' | 'svg' | 'csv'} format @param {Publication} [publication] */
     async exportAs(format, publication) {
       if (!grid) throw new Error("there is no map yet");
       if (format === "csv")

@@ -7,10 +7,7 @@
 
 import { grown, overlap, within } from "../draw/boxes.js";
 
-/** @typedef {import("../draw/boxes.js").Box} Box */
 /** @typedef {{id: string, width: number, height: number, x: readonly number[], y: readonly (number | null)[]}} LabelledCurve `x`, `y` in px */
-/** @typedef {{x: number, y: number}} Centre */
-
 const COLUMN = 3;
 const CANDIDATES = 36;
 const GAP = 3;
@@ -96,8 +93,8 @@ function passes(curve, box, frame) {
  * @param {Box} task.frame
  * @param {readonly Box[]} [task.obstacles] what labels must not cover
  * @param {readonly number[]} [task.uprights] px of upright lines, kept clear of where that is cheap
- * @param {ReadonlyMap<string, Centre>} [task.previous] where they stood: they move only for a reason
- * @returns {Map<string, Centre>}
+ * @param {ReadonlyMap<string, Place>} [task.previous] where they stood: they move only for a reason
+ * @returns {Map<string, Place>}
  */
 export function placeLabels({
   curves,
@@ -107,7 +104,7 @@ export function placeLabels({
   previous = new Map(),
 }) {
   const sampled = curves.map((curve) => columns(curve, frame));
-  /** @type {Map<string, Centre>} */
+  /** @type {Map<string, Place>} */
   const placed = new Map();
   /** @type {Box[]} */
   const taken = [...obstacles];
@@ -174,4 +171,41 @@ export function placeLabels({
     placed.set(curve.id, { x: found.x + width / 2, y: found.y + height / 2 });
   });
   return placed;
+}
+
+const ROW = 17;
+const APART = 8;
+
+/**
+ * @param {object} task
+ * @param {readonly {x: number, width: number}[]} task.marks `x` in px
+ * @param {Box} task.frame
+ * @param {number} [task.unit]
+ * @param {number} task.reserved px at the left of the lower row that the axis title takes
+ * @returns {({x: number, y: number} | null)[]} centre of each name, null where there is no room
+ */
+export function placeMarkNames({ marks, frame, reserved, unit = 1 }) {
+  const height = ROW * unit;
+  const left = frame.x - 8;
+  const right = frame.x + frame.width + 14;
+  /** @type {Box[]} */
+  const taken = [{ x: 0, y: frame.y - height - 4, width: reserved + APART, height }];
+  return marks.map(({ x, width }) => {
+    const most = right - width;
+    for (const row of [0, 1]) {
+      const y = frame.y - height * (row + 1) - 3;
+      // centred, then to the left of the line, then to its right
+      for (const start of [x - width / 2, x - width + 4, x - 4]) {
+        const box = { x: Math.min(Math.max(start, left), most), y, width, height };
+        const free = taken.every(
+          (other) => !overlap({ ...box, x: box.x - APART, width: width + 2 * APART }, other),
+        );
+        if (free && box.x >= left) {
+          taken.push(box);
+          return { x: box.x + width / 2, y: y + height / 2 };
+        }
+      }
+    }
+    return null;
+  });
 }

@@ -1,8 +1,6 @@
-/** A legend below the plot, for more curves than can carry their names. */
+/** A legend below the plot, on the page and in a file, for more curves than can carry their names. */
 
-import { svg } from "../draw/svg.js";
-import { runs } from "../draw/symbols.js";
-import { dashArray } from "./dash.js";
+import { runs, svg } from "../draw/svg.js";
 
 const SWATCH = 28;
 
@@ -22,7 +20,7 @@ function labelNode(label) {
 
 /**
  * @param {HTMLElement} list
- * @param {readonly import("./model.js").Trace[]} traces
+ * @param {readonly Trace[]} traces
  */
 export function drawLegend(list, traces) {
   list.replaceChildren(
@@ -44,4 +42,56 @@ export function drawLegend(list, traces) {
   // What scrolls has to be reached by keys.
   if (list.scrollHeight > list.clientHeight) list.tabIndex = 0;
   else list.removeAttribute("tabindex");
+}
+
+/**
+ * Plotly's name of a dash as SVG's `stroke-dasharray`, for lines drawn beside a plot.
+ * @param {string | undefined} dash
+ * @param {number} width of the line in px
+ */
+export function dashArray(dash, width) {
+  const unit = Math.max(width, 3);
+  /** @type {Record<string, number[]>} */
+  const named = {
+    dot: [1, 1],
+    dash: [3, 3],
+    longdash: [5, 5],
+    dashdot: [3, 1, 1, 1],
+    longdashdot: [5, 2, 1, 2],
+  };
+  if (!dash || dash === "solid") return null;
+  const pattern = named[dash];
+  return pattern ? pattern.map((length) => length * unit).join(" ") : dash.replace(/px/gu, "");
+}
+
+const GAP = 7;
+const BETWEEN = 20;
+const ROW = 19;
+const ABOVE = 4;
+
+/**
+ * @typedef {{trace: Trace, line: [number, number], text: number, y: number}} Entry in px
+ */
+
+/**
+ * Entries one after the other, as many in a row as find room.
+ * @param {readonly Trace[]} traces
+ * @param {Measure} measure
+ * @param {{left: number, right: number, top: number}} room px
+ * @returns {{entries: Entry[], height: number}}
+ */
+export function keyRows(traces, measure, { left, right, top }) {
+  let x = left;
+  let row = 0;
+  const entries = traces.map((trace) => {
+    const wide = SWATCH + GAP + measure(trace.label);
+    if (x > left && x + wide > right) {
+      x = left;
+      row += 1;
+    }
+    const line = /** @type {[number, number]} */ ([x, x + SWATCH]);
+    x += wide + BETWEEN;
+    return { trace, line, text: line[1] + GAP, y: top + ABOVE + (row + 0.5) * ROW };
+  });
+  return { entries, height: entries.length ? ABOVE + (row + 1) * ROW : 0 };
 }

@@ -5,15 +5,8 @@
  * variables, so that neither a drag nor a change of theme asks Plotly for anything.
  */
 
-import { createMeasure } from "../draw/measure.js";
-import { moveText, put, px, show, svg, svgText } from "../draw/svg.js";
-import { setLabel } from "../draw/symbols.js";
-import { placeLabels } from "./labels.js";
-import { placeMarkNames } from "./marks.js";
-
-/** @typedef {import("./model.js").Trace} Trace */
-/** @typedef {import("./model.js").Mark} Mark */
-/** @typedef {import("./layout.js").Arrangement} Arrangement */
+import { createMeasure, moveText, put, px, setLabel, show, svg, svgText } from "../draw/svg.js";
+import { placeLabels, placeMarkNames } from "./labels.js";
 
 /** Above this many curves a legend names them, not labels at the curves. */
 export const MOST_LABELS = 4;
@@ -56,7 +49,7 @@ function upright(line, x, { frame }) {
 /**
  * @param {ReturnType<typeof pool<SVGCircleElement>>} dots
  * @param {number} x
- * @param {readonly import("./model.js").Point[]} points
+ * @param {readonly Reached[]} points
  * @param {readonly Trace[]} traces
  * @param {Arrangement} arrangement
  */
@@ -95,14 +88,14 @@ export function createOverlay(area) {
   const hoverLine = svg("line", { class: "plot-hover-line", visibility: "hidden" }, behind);
   const rings = pool(() => svg("circle", { class: "plot-ring", r: 3.5 }, front));
 
-  /** @type {{label: import("../draw/measure.js").Measure, text: import("../draw/measure.js").Measure} | null} */
+  /** @type {{label: Measure, text: Measure} | null} */
   let measures = null;
-  /** @type {Map<string, import("./labels.js").Centre>} */
+  /** @type {Map<string, Place>} */
   let standing = new Map();
   /** @type {Map<string, number>} */
   const widths = new Map();
 
-  /** @param {import("./theme.js").Theme} theme */
+  /** @param {Theme} theme */
   const useFaces = ({ family, symbolFamily, unit }) => {
     /** @param {number} size @param {number} symbolSize @param {number} [weight] */
     const face = (size, symbolSize, weight = 400) =>
@@ -232,7 +225,7 @@ export function createOverlay(area) {
     },
     /**
      * @param {number} x
-     * @param {readonly import("./model.js").Point[]} points
+     * @param {readonly Reached[]} points
      * @param {readonly Trace[]} traces
      * @param {Arrangement} arrangement
      */
@@ -243,7 +236,7 @@ export function createOverlay(area) {
     },
     /**
      * @param {number | null} x
-     * @param {readonly import("./model.js").Point[]} points
+     * @param {readonly Reached[]} points
      * @param {readonly Trace[]} traces
      * @param {Arrangement} arrangement
      */

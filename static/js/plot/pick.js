@@ -5,9 +5,6 @@
  * the page: it picks when it is lifted in place, or once it has moved sideways.
  */
 
-/** @typedef {import("./layout.js").Arrangement} Arrangement */
-/** @typedef {(x: number, how: {settled: boolean, fine: boolean, free: boolean}) => void} OnPick */
-
 const SIDEWAYS = 6;
 const BESIDE = 12;
 

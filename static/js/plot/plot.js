@@ -8,49 +8,20 @@
  * and, where an abscissa can be picked, a slider on the axis.
  */
 
-import { put } from "../draw/svg.js";
-import { plainText } from "../draw/symbols.js";
+import { plainText, put } from "../draw/svg.js";
 import { plain } from "../numbers/format.js";
-import { createFastPath } from "./fast.js";
-import { bandShapes, CONFIG, plotlyLayout, plotlyTraces, unitSuffix } from "./figure.js";
-import { arrange } from "./layout.js";
+import { arrange } from "./axes.js";
+import {
+  bandShapes,
+  CONFIG,
+  createFastPath,
+  plotlyLayout,
+  plotlyTraces,
+  unitSuffix,
+} from "./figure.js";
+import { readTheme } from "./host.js";
 import { createOverlay, MOST_LABELS } from "./overlay.js";
 import { listenForPicks } from "./pick.js";
-import { readTheme } from "./theme.js";
-
-/** @typedef {import("./model.js").Trace} Trace */
-/** @typedef {import("./model.js").Mark} Mark */
-/** @typedef {import("./model.js").Axis} Axis */
-/** @typedef {import("./model.js").Band} Band */
-/** @typedef {import("./model.js").Point} Point */
-/** @typedef {import("./layout.js").Arrangement} Arrangement */
-
-/**
- * @typedef {object} PlotOptions
- * @property {string} name what readers hear, and the title of an exported picture
- * @property {Axis} x
- * @property {Axis} y
- * @property {Axis | null} [y2]
- * @property {import("./pick.js").OnPick} [onPick]
- * @property {string} [filename] without ending
- * @property {number} [names] so many curves at most carry their names, more have a legend
- */
-
-/**
- * @typedef {object} Plot
- * @property {(traces: readonly Trace[], marks?: readonly Mark[], bands?: readonly Band[]) => Promise<void>} draw
- * @property {(traces: readonly Trace[], marks?: readonly Mark[]) => void} fast
- * @property {(x: number | null, points?: readonly Point[]) => void} marker
- * @property {(changes: Partial<Pick<PlotOptions, "name" | "x" | "y" | "y2">>) => void} axes
- *   takes effect with the next `draw`; `y2: null` takes the second axis away
- * @property {(format: "png" | "svg" | "csv", publication?: import("./publication.js").Publication) => Promise<Blob>} exportAs
- * @property {() => {name: string, ids: readonly string[]}} about its title, and the curves in it
- * @property {(format: "png" | "svg" | "csv") => string} filename
- * @property {() => HTMLTableElement} table
- * @property {() => void} theme
- * @property {() => void} resize
- * @property {() => void} destroy
- */
 
 const SMALLEST = 40;
 
@@ -139,7 +110,7 @@ export function createPlot(element, options) {
   let marks = [];
   /** @type {readonly Band[]} */
   let bands = [];
-  /** @type {{x: number | null, points: readonly Point[]}} */
+  /** @type {{x: number | null, points: readonly Reached[]}} */
   let marker = { x: null, points: [] };
   /** @type {Arrangement | null} */
   let arrangement = null;
@@ -343,7 +314,7 @@ export function createPlot(element, options) {
     about: () => ({ name, ids: traces.map((trace) => trace.id) }),
     exportAs: async (format, publication) => {
       if (format === "csv") {
-        const { toCsv } = await import("./csv.js");
+        const { toCsv } = await import("./table.js");
         return new Blob([toCsv(axes.x.column ?? plainText(axes.x.title), traces)], {
           type: "text/csv;charset=utf-8",
         });

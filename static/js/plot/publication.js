@@ -1,17 +1,8 @@
 /** A figure for a paper or a slide: its size there, the size of its letters, its ground and its caption. */
 
 import { h } from "../page/dom.js";
-import { textSize } from "./layout.js";
-import { readTheme } from "./theme.js";
-
-/**
- * @typedef {object} Publication
- * @property {"white" | "clear" | "clear-dark"} ground `clear-dark` has light letters for dark slides
- * @property {number} width_mm
- * @property {number} height_mm without the caption
- * @property {number} font_pt of the axes
- * @property {readonly string[]} caption paragraphs
- */
+import { textSize } from "./axes.js";
+import { readTheme } from "./host.js";
 
 const MM_PER_POINT = 25.4 / 72;
 /** What a plot needs to have room for its axes and names. */
@@ -49,7 +40,7 @@ export function tooSmall(publication, beside = 0) {
  * @template Result
  * @param {HTMLElement} element
  * @param {Publication["ground"]} ground
- * @param {(theme: import("./theme.js").Theme) => Promise<Result>} draw
+ * @param {(theme: Theme) => Promise<Result>} draw
  */
 export async function onGround(element, ground, draw) {
   const scheme = ground === "clear-dark" ? "dark" : "light";

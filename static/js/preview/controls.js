@@ -1,19 +1,14 @@
 /** The panel of the Preview view: media, what stands on either side and how it is evaluated, the scene. */
 
-import { createChoice } from "../controls/choice.js";
-import { createInterface } from "../controls/interface.js";
+import { createInterface } from "../controls/media.js";
+import { createChoice, createSheet } from "../controls/panel.js";
 import { createParameters } from "../controls/parameters.js";
 import { createRow } from "../controls/row.js";
-import { createSheet } from "../controls/sheet.js";
-import { ExpressionError, evaluate } from "../numbers/expression.js";
+import { ExpressionError, evaluate } from "../numbers/entry.js";
 import { plain } from "../numbers/format.js";
 import { h, setText } from "../page/dom.js";
 import { BOUNDS, isOpaque, NONE } from "./fields.js";
 import { coloredMaterial, SIDES } from "./queries.js";
-
-/**
- * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
- */
 
 /** @type {Record<string, {label: string, range: [number, number], wide: [number, number]}>} */
 const MANNERS = {

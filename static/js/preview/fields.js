@@ -1,9 +1,8 @@
 /** The state that the Preview view adds to the one all views share. */
 
-import { parameterFields } from "../models/parameters.js";
+import { parameterFields } from "../server/questions.js";
 import { choice, LinkError, number, whole } from "../state/state.js";
-import { snippetFields } from "../takeaway/code-fields.js";
-import { tableFields } from "../takeaway/table-fields.js";
+import { snippetFields, tableFields } from "../takeaway/fields.js";
 
 /** Without any reflection, as in Wloka's figure 14; all else is a registered model. */
 export const NONE = "none";

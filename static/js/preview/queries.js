@@ -1,10 +1,8 @@
 /** What the Preview view asks the server for. */
 
 import { isDispersive } from "../media/constants.js";
-import { parameterQuery, stateName } from "../models/parameters.js";
-import { mediaQuery, path } from "../server/questions.js";
-import { codeOf, snippetPath } from "../takeaway/code-fields.js";
-import { lutPath } from "../takeaway/table-queries.js";
+import { mediaQuery, parameterQuery, path, stateName } from "../server/questions.js";
+import { codeOf, lutPath, snippetPath } from "../takeaway/fields.js";
 import { isEven, isPaint, NONE, withCode } from "./fields.js";
 
 /**

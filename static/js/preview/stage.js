@@ -35,7 +35,7 @@ const rounded = (x) => Number(x.toFixed(2));
 /**
  * @param {object} options
  * @param {() => State} options.state
- * @param {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} options.actions
+ * @param {Actions} options.actions
  * @param {(difference: import('./difference.js').Difference | null) => void} options.onMeasured
  * @param {(name: string, blob: Blob) => void} options.save
  */

@@ -5,16 +5,14 @@ import { saveEach } from "../page/exports.js";
 import { loadStyle } from "../page/style.js";
 import { tooSmall } from "../plot/publication.js";
 import { load } from "../server/api.js";
-import { captionOf } from "./caption.js";
-import { mediaBehind } from "./media.js";
+import { captionOf, mediaBehind } from "./caption.js";
 
 /**
  * @typedef {import("../page/exports.js").Published} Published
- * @typedef {import("../plot/publication.js").Publication} Publication
  * @typedef {object} Task
  * @property {Published[]} figures
  * @property {string} call a part of the REST call that they show
- * @property {import("./media.js").Behind} behind
+ * @property {import("./caption.js").Behind} behind
  * @property {string} name of the files
  * @property {(name: string, blob: Blob) => void} save
  */

@@ -1,7 +1,5 @@
 /** One state object; its part that differs from the defaults stands in the URL. */
 
-import { allowedWords } from "./nearest.js";
-
 /**
  * @typedef {object} Field
  * @property {any} default
@@ -241,3 +239,83 @@ export function createState(
 }
 
 /** @typedef {ReturnType<typeof createState>} StateStore */
+
+const MOST_NAMED = 8;
+const NEAREST = 3;
+
+/** @param {string} a @param {string} b @returns {number} letters to insert, leave out or change */
+export function distance(a, b) {
+  let row = Array.from({ length: b.length + 1 }, (_, i) => i);
+  for (let i = 1; i <= a.length; i += 1) {
+    const next = [i];
+    for (let j = 1; j <= b.length; j += 1)
+      next.push(
+        Math.min(
+          (row[j] ?? 0) + 1,
+          (next[j - 1] ?? 0) + 1,
+          (row[j - 1] ?? 0) + (a[i - 1] === b[j - 1] ? 0 : 1),
+        ),
+      );
+    row = next;
+  }
+  return row[b.length] ?? 0;
+}
+
+/**
+ * The words allowed: all where they are few, else those spelled most like the one that was given.
+ * @param {readonly string[]} options
+ * @param {string} word
+ */
+export function allowedWords(options, word) {
+  if (options.length <= MOST_NAMED) return `allowed is one of ${options.join(", ")}`;
+  const given = word.slice(0, 40).toLowerCase();
+  const far = new Map(options.map((one) => [one, distance(given, one.toLowerCase())]));
+  const near = [...options].sort((a, b) => (far.get(a) ?? 0) - (far.get(b) ?? 0)).slice(0, NEAREST);
+  return `it is none of the ${options.length} allowed; the nearest are ${near.join(", ")}`;
+}
+
+const MOST = 200;
+
+/** @param {Pick<StateStore, 'get' | 'set' | 'defaults' | 'subscribe' | 'toQuery'>} state */
+export function createUndo(state) {
+  /** @type {Record<string, any>[]} */
+  let past = [];
+  /** @type {Record<string, any>[]} */
+  let future = [];
+  let now = state.get();
+  let link = state.toQuery();
+  let stepping = false;
+
+  state.subscribe((next, moving) => {
+    if (moving) return; // a gesture is one step
+    const text = state.toQuery();
+    if (text !== link && !stepping) {
+      past = [...past.slice(1 - MOST), now];
+      future = [];
+    }
+    // What is implied (a preset's index at another wavelength) may be news without being a step.
+    now = next;
+    link = text;
+  });
+
+  /** @param {Record<string, any>[]} from @param {Record<string, any>[]} to @returns {boolean} whether there was one */
+  function step(from, to) {
+    const target = from.pop();
+    if (!target) return false;
+    to.push(now);
+    stepping = true;
+    try {
+      // Views that were opened since have brought fields of their own.
+      state.set({ ...state.defaults(), ...target });
+    } finally {
+      stepping = false;
+    }
+    return true;
+  }
+
+  return {
+    undo: () => step(past, future),
+    redo: () => step(future, past),
+    depth: () => ({ past: past.length, future: future.length }),
+  };
+}

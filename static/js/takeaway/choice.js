@@ -1,13 +1,13 @@
 /** Which of the models at hand is taken away: its code and its table are of the same one. */
 
 import { h } from "../page/dom.js";
-import { codeOf } from "./code-fields.js";
+import { codeOf } from "./fields.js";
 
 /**
  * @param {object} options
  * @param {Model[]} options.models
  * @param {string} options.label
- * @param {{set: (patch: State) => void}} options.actions
+ * @param {Pick<Actions, 'set'>} options.actions
  */
 export function createModelChoice({ models, label, actions }) {
   const titles = new Map(models.map((m) => [m.id, m.title]));

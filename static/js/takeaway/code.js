@@ -1,11 +1,11 @@
 /** A model as code to take away: language, real numbers or colors, copy and save. */
 
-import { createChoice } from "../controls/choice.js";
-import { copyText, flash } from "../page/clipboard.js";
+import { createChoice } from "../controls/panel.js";
 import { h, setText } from "../page/dom.js";
+import { copyText, flash } from "../page/exports.js";
 import { loadStyle } from "../page/style.js";
 import { createModelChoice } from "./choice.js";
-import { LANGUAGES, snippetPath } from "./code-fields.js";
+import { LANGUAGES, snippetPath } from "./fields.js";
 
 await loadStyle("css/snippets.css");
 
@@ -19,7 +19,7 @@ const CHECKED = {
 /**
  * @param {object} options
  * @param {Model[]} options.models
- * @param {{set: (patch: State) => void}} options.actions
+ * @param {Pick<Actions, 'set'>} options.actions
  * @param {(text: string) => void} options.say
  * @param {(name: string, blob: Blob) => void} options.save
  */

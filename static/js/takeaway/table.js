@@ -1,14 +1,12 @@
 /** Lookup tables to take away, and how large one has to be: only its size and depth make errors. */
 
-import { createChoice } from "../controls/choice.js";
+import { createChoice } from "../controls/panel.js";
 import { plain } from "../numbers/format.js";
 import { h, setText } from "../page/dom.js";
 import { loadStyle } from "../page/style.js";
 import { createPlot } from "../plot/plot.js";
 import { createModelChoice } from "./choice.js";
-import { codeOf } from "./code-fields.js";
-import { DEPTHS, pickedSize, SIZES } from "./table-fields.js";
-import { lutPath, rgbLutPath } from "./table-queries.js";
+import { codeOf, DEPTHS, lutPath, pickedSize, rgbLutPath, SIZES } from "./fields.js";
 
 await loadStyle("css/tables.css");
 
@@ -33,7 +31,7 @@ const scientific = (value) =>
  * @param {object} options
  * @param {HTMLElement} options.parent in the document, because plots read colours and sizes from it
  * @param {Catalog} options.catalog
- * @param {{set: (patch: State) => void}} options.actions
+ * @param {Pick<Actions, 'set'>} options.actions
  */
 export function createTables({ parent, catalog, actions }) {
   const model = createModelChoice({

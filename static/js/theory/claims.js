@@ -139,7 +139,7 @@ function card(claim) {
 
 /**
  * @param {object} options
- * @param {{set: (patch: State) => void}} options.actions
+ * @param {Pick<Actions, 'set'>} options.actions
  */
 export function createClaimsPage({ actions }) {
   const verdicts = h("div", { class: "filters", role: "group", "aria-label": "Verdict" });

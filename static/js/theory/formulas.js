@@ -1,15 +1,13 @@
 /** The collection of formulas: found by a word, each with its letters, source, error and live curve. */
 
 import { createRow } from "../controls/row.js";
-import { modelStyle } from "../models/look.js";
-import { shortTitle } from "../models/traces.js";
+import { locate, read } from "../curves/reading.js";
+import { modelStyle, shortTitle } from "../models/look.js";
 import { plain, signed, significant } from "../numbers/format.js";
-import { locate, read } from "../numbers/interpolate.js";
-import { copyText, flash } from "../page/clipboard.js";
 import { h, setText } from "../page/dom.js";
+import { copyText, createDataTables, flash } from "../page/exports.js";
 import { pageLink } from "../page/links.js";
 import { display, math, pieces, words } from "../page/prose.js";
-import { createDataTables } from "../plot/data-table.js";
 import { createPlot } from "../plot/plot.js";
 import { UNTOUCHED } from "./fields.js";
 

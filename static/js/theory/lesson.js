@@ -1,6 +1,5 @@
-import { values } from "../curves/reading.js";
+import { locate, read, values } from "../curves/reading.js";
 import { rowsOf } from "../errors/answers.js";
-import { locate, read } from "../numbers/interpolate.js";
 
 /**
  * What a lesson is, and the numbers that hold in it: its own, until the reader moves them.

@@ -1,12 +1,11 @@
 /** A material to guess: its curve is given, n and k are to be found. A link sends one to others. */
 
-import { landmarksOf, values } from "../curves/reading.js";
+import { landmarksOf, locate, read, values } from "../curves/reading.js";
 import { NEGLIGIBLE } from "../media/constants.js";
-import { ExpressionError, evaluate } from "../numbers/expression.js";
+import { ExpressionError, evaluate } from "../numbers/entry.js";
 import { angle, percent, plain } from "../numbers/format.js";
-import { locate, read } from "../numbers/interpolate.js";
-import { copyText, flash } from "../page/clipboard.js";
 import { h, setText } from "../page/dom.js";
+import { copyText, flash } from "../page/exports.js";
 import { addressOf } from "../page/links.js";
 import { pieces } from "../page/prose.js";
 import { UNTOUCHED } from "./fields.js";
@@ -15,10 +14,6 @@ import { decode, encode } from "./mystery-code.js";
 import { FIRST_MYSTERY, GUESS } from "./queries.js";
 import { createRows } from "./rows.js";
 import { createStage } from "./stage.js";
-
-/**
- * @typedef {import('../plot/model.js').Trace} Trace
- */
 
 /** How near is found: what a slider can be set to without patience. */
 const NEAR = { absolute: 0.02, relative: 0.02 };

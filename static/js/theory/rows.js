@@ -1,15 +1,14 @@
 /** The sliders of a lesson: what can be moved, between which ends. */
 
-import { createChoice } from "../controls/choice.js";
+import { createChoice } from "../controls/panel.js";
 import { createRow } from "../controls/row.js";
-import { evaluateAngle } from "../numbers/expression.js";
+import { evaluateAngle } from "../numbers/entry.js";
 import { inDegrees, plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 
 /**
  * @typedef {import('./lesson.js').RowName} RowName
  * @typedef {import('./lesson.js').Setting} Setting
- * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
  */
 
 /** Which declared parameter a row moves, where its value stands in a setting, and its name. */

@@ -7,14 +7,13 @@ import { createDiagram } from "../diagram/diagram.js";
 import { createSplit } from "../diagram/split.js";
 import { ANGLE_STEPS, createControls } from "../explore/controls.js";
 import { createNumbers } from "../explore/numbers.js";
-import { spreadPaths } from "../explore/spread-paths.js";
-import { parameterFields, parameterQuery } from "../models/parameters.js";
+import { spreadPaths } from "../media/constants.js";
+import { clamp, snap, stepped } from "../numbers/entry.js";
 import { angle, inDegrees, inUnit, percent } from "../numbers/format.js";
-import { clamp, snap, stepped } from "../numbers/snap.js";
 import { h } from "../page/dom.js";
-import { createExports } from "../page/exports.js";
-import { createDataTables } from "../plot/data-table.js";
+import { createDataTables, createExports } from "../page/exports.js";
 import { createPlot } from "../plot/plot.js";
+import { parameterFields, parameterQuery } from "../server/questions.js";
 import { choice, list } from "../state/state.js";
 
 /**

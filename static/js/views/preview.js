@@ -1,10 +1,10 @@
 /** Preview: a scene rendered with one model on the left and another on the right, and how far they are apart. */
 
-import { createChoice } from "../controls/choice.js";
+import { createChoice } from "../controls/panel.js";
 import { createRow } from "../controls/row.js";
 import { plain, significant } from "../numbers/format.js";
-import { copyText, flash } from "../page/clipboard.js";
 import { h, setText } from "../page/dom.js";
+import { copyText, flash } from "../page/exports.js";
 import { loadStyle } from "../page/style.js";
 import { createControls } from "../preview/controls.js";
 import { createExamples } from "../preview/examples.js";

@@ -2,8 +2,8 @@
 
 import { h } from "../page/dom.js";
 import { pageLink } from "../page/links.js";
+import { loadKatex } from "../page/prose.js";
 import { loadStyle } from "../page/style.js";
-import { loadKatex } from "../page/typeset.js";
 import { SECTIONS, theoryFields, UNTOUCHED } from "../theory/fields.js";
 import { createLessons } from "../theory/lessons.js";
 import { STEPS } from "../theory/steps.js";

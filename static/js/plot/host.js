@@ -1,19 +1,5 @@
 /** The page's colours and faces as plain values, for what cannot read CSS variables itself. */
 
-/**
- * @typedef {object} Theme
- * @property {string} paper
- * @property {string} ink
- * @property {string} muted
- * @property {string} rule
- * @property {string} accent
- * @property {string} panel
- * @property {string} family
- * @property {string} symbolFamily
- * @property {number} unit how much larger than 14 px the page writes
- * @property {(property: string) => string} color a custom property's value
- */
-
 /** The page's text at a desk, px; every size below is given for it. */
 const BASE = 14;
 
@@ -39,4 +25,18 @@ export function readTheme(element) {
     symbolFamily: read("--serif", "serif"),
     color: (property) => read(property, ink),
   };
+}
+
+/** @returns {Promise<Plotly.Library>} the library, once its script has run */
+export async function library() {
+  if (window.Plotly) return window.Plotly;
+  const script = document.querySelector('script[src*="plotly"]');
+  if (!script) throw new Error("Plotly's script is not on the page");
+  await new Promise((resolve, reject) => {
+    script.addEventListener("load", resolve, { once: true });
+    script.addEventListener("error", () => reject(new Error("Plotly could not be loaded")), {
+      once: true,
+    });
+  });
+  return library();
 }

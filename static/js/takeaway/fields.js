@@ -1,0 +1,108 @@
+/** What the panel of shader code adds to the state, and what it asks the server for. */
+
+import { mediaQuery, parameterQuery, path } from "../server/questions.js";
+import { choice } from "../state/state.js";
+
+/**
+ * @typedef {{id: string, label: string, file: string}} Language
+ */
+
+/** @type {Language[]} */
+export const LANGUAGES = [
+  { id: "glsl", label: "GLSL", file: "glsl" },
+  { id: "hlsl", label: "HLSL", file: "hlsl" },
+  { id: "wgsl", label: "WGSL", file: "wgsl" },
+  { id: "osl", label: "OSL", file: "osl" },
+  { id: "python", label: "Python", file: "py" },
+];
+
+/** @param {Model[]} models @returns {Record<string, Field>} */
+export function snippetFields(models) {
+  const ids = models.map((m) => m.id);
+  return {
+    code: { ...choice("", ids), default: null, print: (value) => value ?? "" },
+    language: choice(
+      "glsl",
+      LANGUAGES.map((l) => l.id),
+    ),
+    channels: choice("1", ["1", "3"]),
+  };
+}
+
+/**
+ * The model whose code is shown: the one asked for while it is offered, else the first.
+ * @param {State} state
+ * @param {readonly string[]} offered
+ */
+export function codeOf({ code }, offered) {
+  return code !== null && offered.includes(code) ? code : (offered[0] ?? "exact");
+}
+
+/** @param {State} state @param {readonly string[]} offered @returns {string} */
+export function snippetPath(state, offered) {
+  const { language, channels } = state;
+  const colors = channels === "3" ? "&channels=3" : "";
+  return `/shaders/${codeOf(state, offered)}?language=${language}${colors}`;
+}
+
+export const SIZES = [2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
+
+/** Depths by their bits, as the page offers them; OpenEXR's halves are left to the API. */
+export const DEPTHS = [
+  { bits: "8", label: "8 bits", depth: "unorm8", formats: ["png", "npy", "csv", "json"] },
+  { bits: "16", label: "16 bits", depth: "unorm16", formats: ["png", "npy", "csv", "json"] },
+  { bits: "32", label: "float", depth: "float", formats: ["exr", "npy", "csv", "json"] },
+];
+
+/** @returns {Record<string, Field>} */
+export function tableFields() {
+  return {
+    table_size: choice("256", SIZES.map(String)),
+    bits: choice(
+      "16",
+      DEPTHS.map((d) => d.bits),
+    ),
+  };
+}
+
+/**
+ * The size nearest to a place on the logarithmic axis; one texel more or less, which is what a key
+ * gives, is the next size.
+ * @param {number} x
+ * @param {number} now
+ */
+export function pickedSize(x, now) {
+  const step = Math.abs(x - now) === 1 ? Math.sign(x - now) : 0;
+  const power = step ? Math.log2(now) + step : Math.round(Math.log2(x));
+  return String(2 ** Math.min(12, Math.max(1, power)));
+}
+
+/**
+ * @param {State} state
+ * @param {Catalog} catalog
+ * @param {string} model
+ * @param {"/lut" | "/lut/errors"} route
+ * @param {string[]} [more]
+ */
+export function lutPath(state, catalog, model, route, more = []) {
+  return path(route, [
+    model === "exact" ? "" : `model=${model}`,
+    ...mediaQuery(state, catalog),
+    ...parameterQuery(state, catalog.models, [model]),
+    ...more,
+  ]);
+}
+
+/**
+ * The table in RGB of a material whose spectrum is known, for the exact curve.
+ * @param {State} state
+ * @param {Catalog} catalog
+ * @param {string} model
+ * @param {string[]} [more]
+ */
+export function rgbLutPath({ material, n_i }, { materials }, model, more = []) {
+  const known = materials.find((m) => m.id === material)?.n_range_nm;
+  return model === "exact" && known
+    ? path("/lut", [`material=${material}`, `n_i=${n_i}`, "channels=3", ...more])
+    : null;
+}
