@@ -31,10 +31,10 @@ from app.api import (
 from app.api.table import RouteTable
 from app.http import problems
 from app.http.cache import AnswerCache
-from app.http.front import Front
-from app.http.middleware import Fallback, HeadAsGet, KnownHosts, OpenToOtherPages
+from app.http.middleware import CommonHeaders, Fallback, HeadAsGet, KnownHosts
+from app.http.serving import Serving
 from app.optics.registry import Registry, default_registry
-from app.page.files import Page, SecurityHeaders
+from app.page.files import Page, document_headers
 from app.server.drain import Drain
 from app.server.memory import share_one_heap
 from app.server.observe.access_log import AccessLog
@@ -61,11 +61,18 @@ class _Application(FastAPI):
     """FastAPI inside of layers that see every answer, its schema with what a problem looks like."""
 
     def build_middleware_stack(self) -> ASGIApp:
+        """Put the layers around FastAPI's own, which answer crashes too; the outermost last."""
         settings: Settings = self.state.settings
+        pool: Pool = self.state.pool
         drain: Drain = self.state.drain
+        app: ASGIApp = super().build_middleware_stack()
+        app = AnswerCache(app, prefix=f"{PREFIX}/", limit=settings.cache_bytes, pool=pool)
+        app = HeadAsGet(app)
+        if settings.allowed_hosts != "*":
+            app = KnownHosts(app, settings.allowed_hosts.split(","), open_to_all=_PROBED)
+        app = CommonHeaders(app, api=(f"{PREFIX}/", "/openapi.json"), documents=document_headers)
         access_log = AccessLog() if settings.access_log else None
-        inner = drain.around(super().build_middleware_stack())
-        return Observed(inner, self.state.metrics, access_log)
+        return Observed(drain.around(app), self.state.metrics, access_log)
 
     def openapi(self) -> dict[str, Any]:
         """Describe the API."""
@@ -102,7 +109,13 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     app.state.settings = settings
     app.state.metrics = Metrics()
     app.state.drain = drain = Drain(settings.drain_s)
-    pool = Pool(settings.threads, settings.max_waiting, settings.timeout_s)
+    app.state.pool = pool = Pool(settings.threads, settings.max_waiting, settings.timeout_s)
+    app.state.serving = Serving(
+        pool,
+        max_samples=settings.max_samples,
+        max_cells=settings.max_cells,
+        max_age_s=settings.max_age_s,
+    )
     routers: list[APIRouter] = [
         curves.router(registry),
         snell.router(),
@@ -124,19 +137,6 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     routers += [claims.router(table), figures.router(table, settings.static_dir)]
     app.state.table = RouteTable(routers)
     problems.install(app)
-    app.add_middleware(OpenToOtherPages, prefixes=(f"{PREFIX}/", "/openapi.json"))
-    app.add_middleware(SecurityHeaders)
-    app.add_middleware(HeadAsGet)
-    app.add_middleware(
-        Front,
-        table=app.state.table,
-        prefix=PREFIX,
-        cache=AnswerCache(settings.cache_bytes),
-        pool=pool,
-        settings=settings,
-    )
-    if settings.allowed_hosts != "*":
-        app.add_middleware(KnownHosts, hosts=settings.allowed_hosts.split(","), open_to_all=_PROBED)
     for router in routers:
         app.include_router(router, prefix=PREFIX)
     app.include_router(metrics_router())

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import numpy as np
 from fastapi import APIRouter, Query
 from pydantic import Field
+from starlette.responses import Response
 
 from app.api.albedo_schemas import AlbedoOut, CoatOut, FitOut, FitsOut
 from app.api.answers import Answer, Large
@@ -17,7 +18,7 @@ from app.api.model_parameters import (
     refuse_foreign_parameters,
     with_model_parameters,
 )
-from app.api.params import InterfaceQuery, Number, TableQuery, number
+from app.api.params import InterfaceQuery, number
 from app.api.responses import (
     CONVENTION,
     csv_body,
@@ -25,8 +26,8 @@ from app.api.responses import (
     json_body,
     number_or_null,
 )
-from app.http.body import ReadyBody
 from app.http.problems import MissingResource
+from app.http.query import Number, TableQuery
 from app.http.route import QueryRoute
 from app.optics.albedo import (
     BODY_ALBEDO,
@@ -160,7 +161,7 @@ def router(registry: Registry) -> APIRouter:
             )
         return answers
 
-    def respond(query: AlbedoQuery, models: list[Model]) -> ReadyBody:
+    def respond(query: AlbedoQuery, models: list[Model]) -> Response:
         interface = query.interface()
         exact = albedo(interface)
         payload: dict[str, Any] = {
@@ -213,7 +214,7 @@ def router(registry: Registry) -> APIRouter:
     return routes
 
 
-def _coat(query: CoatQuery) -> ReadyBody:
+def _coat(query: CoatQuery) -> Response:
     interface = query.interface()
     ray = None if query.theta_i_deg is None else Incidence.from_degrees(query.theta_i_deg)
     split = coat_split(interface, query.body_albedo, ray)

@@ -5,12 +5,14 @@
 
 from collections import Counter
 from functools import lru_cache
-from typing import Annotated, Any, ClassVar, Literal, NamedTuple
+from typing import Annotated, ClassVar, Literal, NamedTuple
 
 import numpy as np
 from fastapi import APIRouter, Query
 from pydantic import Field
+from starlette.responses import Response
 
+from app.answers.interface import PresetInterface, ResolvedPreset
 from app.api.albedo_schemas import AlbedoMapOut, SweepOut
 from app.api.answers import Answer, Large
 from app.api.model_parameters import (
@@ -19,10 +21,9 @@ from app.api.model_parameters import (
     refuse_foreign_parameters,
     with_model_parameters,
 )
-from app.api.params import Count, InterfaceQuery, Number, TableQuery, number
-from app.api.presets import PresetInterface, preset_json
+from app.api.params import InterfaceQuery, number
 from app.api.responses import CONVENTION, csv_body, json_body
-from app.http.body import ReadyBody
+from app.http.query import Count, Number, TableQuery
 from app.http.route import QueryRoute
 from app.optics.albedo import (
     Albedo,
@@ -162,10 +163,10 @@ def swept(query: SweepQuery) -> tuple[Array, Interface]:
     return values, Interface(query.n_i, n_t, query.k_t)
 
 
-def _incident_json(query: SweepQuery) -> dict[str, Any] | None:
+def _incident_json(query: SweepQuery) -> ResolvedPreset | None:
     interface = query.interface()
     named = interface.incident if isinstance(interface, PresetInterface) else None
-    return preset_json(named) if named else None
+    return ResolvedPreset.of(named) if named else None
 
 
 def _spaced(name: str, minimum: float, maximum: float, steps: int, scale: Scale) -> Array:
@@ -200,7 +201,7 @@ def _largest(values: Array, interface: Interface) -> dict[str, float] | None:
     }
 
 
-def _map(query: MapQuery, fit: Fit | None) -> ReadyBody:
+def _map(query: MapQuery, fit: Fit | None) -> Response:
     show = query.show or ("error" if fit else "exact")
     quantity = fit.quantity if fit else query.quantity or "unpolarized"
     interface, exact = _exact_over_rectangle(
@@ -288,7 +289,7 @@ def router(registry: Registry) -> APIRouter:
             ]
         return values, found
 
-    def respond(query: SweepQuery, fits: list[Fit], models: list[Model]) -> ReadyBody:
+    def respond(query: SweepQuery, fits: list[Fit], models: list[Model]) -> Response:
         values, found = curves(query, fits, models)
         if query.format == "csv":
             columns: dict[str, Array] = {query.over: values}

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from functools import partial
 
-from app.http.body import ReadyBody
+from starlette.responses import Response
 
-Large = partial[ReadyBody]
+Large = partial[Response]
 """A computation that others should not wait for: it is called in a thread, see `app.server.pool`."""
 
-Answer = ReadyBody | Large
+Answer = Response | Large

@@ -8,10 +8,10 @@ from typing import Annotated, Any, get_args
 
 from fastapi import APIRouter, Query
 from pydantic import BaseModel, Field
+from starlette.responses import Response
 
 from app.api import PREFIX
 from app.api.answers import Answer, Large
-from app.api.params import DigitsQuery
 from app.api.responses import json_body
 from app.api.table import RouteTable
 from app.claims import (
@@ -24,8 +24,8 @@ from app.claims import (
     claims_of,
     find_claim,
 )
-from app.http.body import ReadyBody
 from app.http.problems import MissingResource
+from app.http.query import DigitsQuery
 from app.http.route import QueryRoute
 
 
@@ -169,7 +169,7 @@ def router(table: RouteTable) -> APIRouter:
     routes = APIRouter(route_class=QueryRoute, tags=["claims"])
     measured = _Measured(table)
 
-    def all_claims(query: ClaimsQuery) -> ReadyBody:
+    def all_claims(query: ClaimsQuery) -> Response:
         every = measured.describe(claims_of(query.example))
         verdicts = [claim["verdict"] for claim in every]
         payload = {
@@ -178,7 +178,7 @@ def router(table: RouteTable) -> APIRouter:
         }
         return json_body(payload, query.digits)
 
-    def one_claim(claim: Claim, query: DigitsQuery) -> ReadyBody:
+    def one_claim(claim: Claim, query: DigitsQuery) -> Response:
         (described,) = measured.describe([claim])
         return json_body(described, query.digits)
 

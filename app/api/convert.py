@@ -10,12 +10,13 @@ from fastapi import APIRouter, Query
 from pydantic import BaseModel, BeforeValidator, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
+from app.answers.interface import ResolvedPreset
 from app.api.answers import Answer
-from app.api.params import InterfaceQuery, Number, TableQuery, number, plain
-from app.api.presets import preset_json
+from app.api.params import InterfaceQuery, number
 from app.api.responses import CONVENTION, json_body
 from app.api.row_table import rows_csv_body
 from app.http.problems import BadParameters, ParameterError
+from app.http.query import Number, TableQuery, plain
 from app.http.route import QueryRoute
 from app.optics.conversions import (
     F0_LINEAR,
@@ -224,7 +225,7 @@ def router() -> APIRouter:
             "n_i": float(np.asarray(interface.n_i)),
             "seen_from": query.seen_from,
             "convention": CONVENTION,
-            "material": None if material is None else preset_json(material),
+            "material": None if material is None else ResolvedPreset.of(material),
             "results": results,
         }
         return json_body(payload, query.digits)

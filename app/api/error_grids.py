@@ -9,6 +9,7 @@ from typing import Annotated, Any, ClassVar, Literal, NamedTuple, cast
 import numpy as np
 from fastapi import APIRouter, Query
 from pydantic import Field
+from starlette.responses import Response
 
 from app.api.answers import Answer, Large
 from app.api.error_schemas import MEASURE, ErrorMapOut, ErrorSweepOut, figures_json
@@ -17,9 +18,9 @@ from app.api.model_parameters import (
     refuse_foreign_parameters,
     with_model_parameters,
 )
-from app.api.params import Count, InterfaceQuery, Number, TableQuery
+from app.api.params import InterfaceQuery
 from app.api.responses import CONVENTION, csv_body, json_body
-from app.http.body import ReadyBody
+from app.http.query import Count, Number, TableQuery
 from app.http.route import QueryRoute
 from app.optics.errors import NotAllowed, OutOfRange
 from app.optics.incidence import Incidence
@@ -173,7 +174,7 @@ def _inside(model: Model, interface: Interface) -> list[bool]:
     return [model.reason_outside(Interface(*point)) is None for point in points]
 
 
-def _sweep(query: ErrorSweepQuery, model: Model) -> ReadyBody:
+def _sweep(query: ErrorSweepQuery, model: Model) -> Response:
     axis = make_axis(query, query.over, "", query.steps, query.scale)
     interface = interface_over(query, {axis.name: axis.values})
     arguments = model.arguments(interface, **scalar_arguments(query, model))
@@ -216,7 +217,7 @@ def map_metric(query: ErrorMapQuery) -> MapMetric:
     return metric
 
 
-def _map(query: ErrorMapQuery, model: Model, metric: MapMetric) -> ReadyBody:
+def _map(query: ErrorMapQuery, model: Model, metric: MapMetric) -> Response:
     x, y = (
         make_axis(query, query.x, "x_", query.x_steps),
         make_axis(query, query.y, "y_", query.y_steps),

@@ -9,9 +9,10 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from fastapi import APIRouter, Query
 from pydantic import Field
+from starlette.responses import Response
 
+from app.answers.curves import sampled_incidence
 from app.api.answers import Answer, Large
-from app.api.curves import sampled_incidence
 from app.api.error_schemas import MEASURE, ErrorsOut, figures_json
 from app.api.model_parameters import (
     ModelsParameter,
@@ -20,10 +21,10 @@ from app.api.model_parameters import (
     refuse_foreign_parameters,
     with_model_parameters,
 )
-from app.api.params import InterfaceQuery, SamplesQuery, TableQuery
+from app.api.params import InterfaceQuery, SamplesQuery
 from app.api.responses import CONVENTION, csv_body, interface_json, json_body
 from app.api.row_table import rows_csv_body
-from app.http.body import ReadyBody
+from app.http.query import TableQuery
 from app.http.route import QueryRoute
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
@@ -89,7 +90,7 @@ def router(registry: Registry) -> APIRouter:
     routes = APIRouter(route_class=QueryRoute, tags=["errors"])
     Query_ = with_model_parameters(ErrorsQuery, registry)
 
-    def respond(query: ErrorsQuery, models: list[Model], interface: Interface) -> ReadyBody:
+    def respond(query: ErrorsQuery, models: list[Model], interface: Interface) -> Response:
         incidence = sampled_incidence(interface, query.samples, query.landmarks)
         rows = [
             row

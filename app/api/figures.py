@@ -15,16 +15,17 @@ import orjson
 from fastapi import APIRouter, Query
 from pydantic import BaseModel, Field, create_model
 from starlette.exceptions import HTTPException
+from starlette.responses import Response
 
 from app import __version__
 from app.api import PREFIX
 from app.api.answers import Answer, Large
-from app.api.params import AngleQuery, Count, Number, QueryModel, preset_name
-from app.api.responses import json_body, shown_as
+from app.api.params import AngleQuery, preset_name
+from app.api.responses import ReadyBody, json_body, shown_as
 from app.api.table import RouteTable
 from app.figures.look import Ground, Look, Theme, theme_colors
 from app.figures.render import MEDIA_TYPES, NoPictures, page, picture, policy
-from app.http.body import ReadyBody
+from app.http.query import Count, Number, QueryModel
 from app.http.route import QueryRoute
 
 if TYPE_CHECKING:
@@ -200,9 +201,8 @@ def router(table: RouteTable, static_dir: Path) -> APIRouter:
         material = getattr(query, "material", None) or "Au"
         route, parts = table.find(kind.of.replace("{material}", material))
         assert route is not None  # noqa: S101 - every kind names a route, as a test checks
-        answer = route.answer(parts, query.model_copy(update={"format": "json"}))
-        ready = answer if isinstance(answer, ReadyBody) else answer()
-        return orjson.loads(ready.encoded(None))
+        written = route.written(parts, query.model_copy(update={"format": "json", "digits": 17}))
+        return orjson.loads(bytes(written.body))
 
     def drawn(kind: Kind, query: FigureQuery) -> tuple["go.Figure", list[str], Look]:
         """The figure, its caption and its look."""
@@ -222,7 +222,7 @@ def router(table: RouteTable, static_dir: Path) -> APIRouter:
         lines = [line for text in texts for line in wrap(text, columns)] if inside else []
         return draw.framed(figure, lines, look, width), texts if query.caption else [], look
 
-    def sent(kind: Kind, query: FigureQuery) -> ReadyBody:
+    def sent(kind: Kind, query: FigureQuery) -> Response:
         (figure, caption, look), form = drawn(kind, query), query.format
         filename = shown_as(f"fresnel_{kind.name}.{form}")
         if form == "json":

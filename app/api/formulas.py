@@ -10,13 +10,13 @@ import numpy as np
 import orjson
 from fastapi import APIRouter, Query
 from pydantic import BaseModel, Field
+from starlette.responses import Response
 
 from app.api.answers import Answer, Large
-from app.api.params import Count, Number, QueryModel, TableQuery
-from app.api.responses import csv_body, json_body
+from app.api.responses import ReadyBody, csv_body, json_body
 from app.api.schemas import ParameterOut
-from app.http.body import ReadyBody
 from app.http.problems import BadParameters, MissingResource, ParameterError
+from app.http.query import Count, Number, QueryModel, TableQuery
 from app.http.route import QueryRoute
 from app.optics.formulas.collection import CONVENTIONS, Formulas, UnknownFormula, symbols_of
 from app.optics.formulas.formula import Formula
@@ -195,7 +195,7 @@ def interface_of(formula: Formula, query: FormulaCurveQuery) -> Interface:
     return Interface(**own | {name: value for name, value in given.items() if value is not None})
 
 
-def curve_of(formula: Formula, interface: Interface, query: FormulaCurveQuery) -> ReadyBody:
+def curve_of(formula: Formula, interface: Interface, query: FormulaCurveQuery) -> Response:
     """The curve as JSON or CSV."""
     curve = formula.curve(interface, query.samples)
     if query.format == "csv":
@@ -224,7 +224,7 @@ def router(registry: Registry) -> APIRouter:
     formulas = Formulas(registry)
 
     @cache
-    def every_formula(kind: str | None) -> ReadyBody:
+    def every_formula(kind: str | None) -> Response:
         shown = [describe(f) for f in formulas.values() if kind in (None, f.kind)]
         return ReadyBody(orjson.dumps({"formulas": shown}), "application/json", effort="thorough")
 

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from importlib.metadata import version
-from typing import Any
+from typing import Literal
 
-import orjson
 from fastapi import APIRouter
 
 from app import __version__
-from app.api.schemas import HealthOut, StatusOut
-from app.http.body import ReadyBody
+from app.answers.answer import answer
 from app.http.route import QueryRoute
 from app.server.drain import Drain
 from app.server.pool import Overloaded
@@ -20,29 +18,46 @@ _LIBRARIES = {
 }
 
 
+@answer
+class Status:
+    """That all is well; anything else is a problem."""
+
+    status: Literal["ok"]
+
+
+@answer
+class Health:
+    """Whether the server works, and what it is made of."""
+
+    status: Literal["ok"]
+    version: str
+    libraries: dict[str, str]
+
+
+class _NotKept(QueryRoute):
+    """A route whose answer may be another the next time."""
+
+    lifetime = "no-store"
+
+
 def router(drain: Drain) -> APIRouter:
     """Routes about the server itself, ready unless `drain` says that it is about to stop."""
-    routes = APIRouter(route_class=QueryRoute, tags=["server"])
+    routes = APIRouter(route_class=_NotKept, tags=["server"])
 
-    @routes.get("/health", response_model=HealthOut, summary="Is the server well?")
-    def health() -> ReadyBody:
-        body = {"status": "ok", "version": __version__, "libraries": _LIBRARIES}
-        return _told(body)
+    @routes.get("/health", summary="Is the server well?")
+    def health() -> Health:
+        return Health(status="ok", version=__version__, libraries=_LIBRARIES)
 
-    @routes.get("/health/live", response_model=StatusOut, summary="Is the process alive?")
-    def live() -> ReadyBody:
+    @routes.get("/health/live", summary="Is the process alive?")
+    def live() -> Status:
         """Answer as long as the event loop turns; a server that does not wants to be restarted."""
-        return _told({"status": "ok"})
+        return Status(status="ok")
 
-    @routes.get("/health/ready", response_model=StatusOut, summary="Does it take requests?")
-    def ready() -> ReadyBody:
+    @routes.get("/health/ready", summary="Does it take requests?")
+    def ready() -> Status:
         """Answer 503 once the server was told to stop, while it still answers everything else."""
         if drain.draining:
             raise Overloaded("the server is about to stop")
-        return _told({"status": "ok"})
+        return Status(status="ok")
 
     return routes
-
-
-def _told(body: dict[str, Any]) -> ReadyBody:
-    return ReadyBody(orjson.dumps(body), "application/json", cacheable=False)

@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal, NamedTuple
 import numpy as np
 from fastapi import APIRouter, Query
 from pydantic import BaseModel, Field
+from starlette.responses import Response
 
 from app.api.answers import Answer, Large
 from app.api.error_grids import (
@@ -25,11 +26,11 @@ from app.api.model_parameters import (
     refuse_foreign_parameters,
     with_model_parameters,
 )
-from app.api.params import Count, InterfaceQuery, Number
+from app.api.params import InterfaceQuery
 from app.api.presets import reported_as
-from app.api.responses import CONVENTION, csv_body, interface_json, json_body, shown_as
+from app.api.responses import CONVENTION, ReadyBody, csv_body, interface_json, json_body, shown_as
 from app.api.schemas import InterfaceOut
-from app.http.body import ReadyBody
+from app.http.query import Count, Number
 from app.http.route import QueryRoute
 from app.materials import default_catalog
 from app.materials.appearance import color_curve
@@ -287,7 +288,7 @@ def _refuse_undefined(table: Table, model: Model) -> None:
         raise NotAllowed("model", model.id, "one that is defined over the whole table")
 
 
-def _lut(query: LutQuery, model: Model, depth: Depth) -> ReadyBody:
+def _lut(query: LutQuery, model: Model, depth: Depth) -> Response:
     if query.channels == "3":
         table = _spectral(query, model)
     elif query.over.startswith("mu,"):
@@ -343,7 +344,7 @@ def _lut(query: LutQuery, model: Model, depth: Depth) -> ReadyBody:
     return ReadyBody(body, _MEDIA[query.format], header | shown_as(filename))
 
 
-def _errors(query: LutErrorsQuery, model: Model) -> ReadyBody:
+def _errors(query: LutErrorsQuery, model: Model) -> Response:
     found: dict[Depth, list[float | None]] = {depth: [] for depth in _NUMBERS.values()}
     for size in SIZES:
         table = _table(query, model, size)

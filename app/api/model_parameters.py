@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import inspect
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal, TypeVar, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,11 +20,15 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from app.api.params import Count, Number, QueryModel, number
+from app.answers.curves import Chosen
+from app.api.params import number
 from app.http.problems import BadParameters, ParameterError
+from app.http.query import Count, Number, QueryModel
 from app.optics.errors import NotAllowed
 from app.optics.parameters import Parameter
 from app.optics.registry import Model, Registry
+
+Endpoint = TypeVar("Endpoint", bound=Callable[..., Any])
 
 _ANY_MODELS = "Comma-separated ids of models, as listed at /models."
 
@@ -65,6 +70,47 @@ def with_model_parameters(base: type[QueryModel], registry: Registry) -> type[Qu
         listed.description = f"Comma-separated ids of models: {', '.join(registry)}."
         fields["models"] = (str, listed)
     return create_model(f"{base.__name__}WithModels", __base__=base, **fields)
+
+
+class ModelsQuery(QueryModel):
+    """Which models; `with_parameters_of` adds their own parameters."""
+
+    registry: ClassVar[Registry]
+
+    models: ModelsParameter = "exact"
+
+    def chosen(self) -> list[Chosen]:
+        """Look up the models, each with what is given for its own parameters.
+
+        Raises
+        ------
+        UnknownModel, NotAllowed
+            As `parse_models` does.
+        BadParameters
+            If parameters of other models are given.
+        """
+        models = parse_models(self.models, self.registry)
+        refuse_foreign_parameters(self, models, self.registry)
+        return [Chosen(model, model_arguments(self, model)) for model in models]
+
+
+def with_parameters_of(registry: Registry) -> Callable[[Endpoint], Endpoint]:
+    """Decorate an endpoint: its query takes the parameters of every registered model as well."""
+
+    def extended(endpoint: Endpoint) -> Endpoint:
+        signature = inspect.signature(endpoint, eval_str=True)
+        parameters = []
+        for parameter in signature.parameters.values():
+            base, *more = get_args(parameter.annotation) or (parameter.annotation,)
+            if isinstance(base, type) and issubclass(base, QueryModel):
+                query = with_model_parameters(base, registry)
+                query.registry = registry  # type: ignore[attr-defined]
+                parameter = parameter.replace(annotation=Annotated[query, *more])
+            parameters.append(parameter)
+        endpoint.__signature__ = signature.replace(parameters=parameters)  # type: ignore[attr-defined]
+        return endpoint
+
+    return extended
 
 
 def model_arguments(query: QueryModel, model: Model) -> dict[str, ArrayLike | None]:

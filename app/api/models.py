@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
-from functools import lru_cache
-from typing import Annotated, Any
+from dataclasses import fields
+from typing import Annotated
 
-import orjson
 from fastapi import APIRouter, Query
 from pydantic import Field
 
-from app.api.answers import Answer
-from app.api.params import QueryModel
-from app.api.responses import json_body
-from app.api.schemas import ModelOut, ModelsOut, ParametersOut
+from app.answers.answer import answer
+from app.answers.models import DeclaredParameter, RegisteredModel
+from app.api.params import ChosenFields, chosen_fields
 from app.api.shaders import shader_url
-from app.http.body import ReadyBody
 from app.http.problems import MissingResource
-from app.http.route import QueryRoute
-from app.optics.errors import NotAllowed, UnknownModel
+from app.http.query import QueryModel
+from app.http.route import LastingRoute
+from app.optics.errors import UnknownModel
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG
-from app.optics.registry import Model, Registry
+from app.optics.registry import Registry
 
 
 class ModelsQuery(QueryModel):
@@ -34,64 +31,43 @@ class ModelsQuery(QueryModel):
     )
 
 
-def describe(model: Model) -> dict[str, Any]:
-    """Turn a model into what the API says of it."""
-    return {
-        "id": model.id,
-        "title": model.title,
-        "kind": model.kind,
-        "trap": model.trap,
-        "applies_to": list(model.applies_to),
-        "parameters": [asdict(parameter) for parameter in model.parameters],
-        "latex": model.latex,
-        "reference": model.reference,
-        "validity": model.validity,
-        "cost": asdict(model.cost),
-        "measured": [asdict(measured) for measured in model.measured],
-        "shaders": shader_url(model),
-    }
+@answer
+class Models:
+    """All registered models."""
+
+    models: list[RegisteredModel | ChosenFields]
 
 
-def _for_ever(payload: dict[str, Any]) -> ReadyBody:
-    """Make an answer that stays the same while the program runs."""
-    return ReadyBody(orjson.dumps(payload), "application/json", effort="thorough")
+@answer
+class Parameters:
+    """The parameters common to all endpoints."""
+
+    parameters: list[DeclaredParameter]
 
 
 def router(registry: Registry) -> APIRouter:
     """Routes over the models of `registry`."""
-    routes = APIRouter(route_class=QueryRoute, tags=["models"])
-    described = [describe(model) for model in registry.values()]
+    routes = APIRouter(route_class=LastingRoute, tags=["models"])
+    described = [RegisteredModel.of(model, shader_url(model)) for model in registry.values()]
+    declared = [DeclaredParameter.of(parameter) for parameter in (N_I, N_T, K_T, THETA_I_DEG)]
 
-    @lru_cache(maxsize=8)
-    def every_model(fields: str | None) -> ReadyBody:
-        if fields is None:
-            return _for_ever({"models": described})
-        names = {name.strip() for name in fields.split(",")}
-        if not names <= set(ModelOut.model_fields):
-            allowed = f"names among {', '.join(ModelOut.model_fields)}"
-            raise NotAllowed("fields", fields, allowed)
-        return _for_ever(
-            {"models": [{k: v for k, v in row.items() if k in names} for row in described]}
-        )
+    @routes.get("/models", summary="All models")
+    def models(query: Annotated[ModelsQuery, Query()]) -> Models:
+        names = chosen_fields(query.fields, [field.name for field in fields(RegisteredModel)])
+        if names is None:
+            return Models(models=[*described])
+        return Models(models=[{n: getattr(row, n) for n in names} for row in described])
 
-    every_parameter = _for_ever(
-        {"parameters": [asdict(parameter) for parameter in (N_I, N_T, K_T, THETA_I_DEG)]}
-    )
-
-    @routes.get("/models", response_model=ModelsOut, summary="All models")
-    def models(query: Annotated[ModelsQuery, Query()]) -> Answer:
-        return every_model(query.fields)
-
-    @routes.get("/models/{model_id}", response_model=ModelOut, summary="One model")
-    def model(model_id: str) -> Answer:
+    @routes.get("/models/{model_id}", summary="One model")
+    def model(model_id: str) -> RegisteredModel:
         try:
             found = registry.find(model_id, "model_id")
         except UnknownModel as error:
             raise MissingResource(error) from None
-        return json_body(describe(found))
+        return RegisteredModel.of(found, shader_url(found))
 
-    @routes.get("/parameters", response_model=ParametersOut, summary="Parameters and bounds")
-    def parameters() -> Answer:
-        return every_parameter
+    @routes.get("/parameters", summary="Parameters and bounds")
+    def parameters() -> Parameters:
+        return Parameters(parameters=declared)
 
     return routes

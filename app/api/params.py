@@ -2,22 +2,15 @@
 
 from __future__ import annotations
 
-import math
-import re
-from typing import Annotated, Any, ClassVar, Literal, Self
+from collections.abc import Sequence
+from typing import Annotated, Any, Self
 
-from pydantic import (
-    BaseModel,
-    BeforeValidator,
-    ConfigDict,
-    Field,
-    PrivateAttr,
-    model_validator,
-)
-from pydantic_core import PydanticCustomError
+from pydantic import Field, PrivateAttr, model_validator
 
-from app.api.presets import PresetInterface, reported_as
+from app.answers.interface import PresetInterface
+from app.api.presets import reported_as
 from app.http.problems import BadParameters, ParameterError
+from app.http.query import Count, Number, QueryModel
 from app.materials import (
     USELESS_WAVELENGTH,
     Resolved,
@@ -25,34 +18,11 @@ from app.materials import (
     resolve_incident,
     resolve_material,
 )
+from app.optics.errors import NotAllowed
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, WAVELENGTH_NM, Parameter
 
-_ZERO = re.compile(r"-(0+\.?0*|\.0+)(e[+-]?\d+)?", re.IGNORECASE)
-
 MAX_SAMPLES = 20001
-
-
-def plain(text: object) -> object:
-    """Refuse what Python reads as a number though no one writes it, 1_5 for 15; read -0 as 0."""
-    if isinstance(text, str):
-        if "_" in text and _is_number(text.replace("_", "")):
-            raise PydanticCustomError("number", "a number has no underscore")
-        if text.startswith("-") and _ZERO.fullmatch(text):
-            return "0"
-    return text
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
-
-
-Number = Annotated[float, BeforeValidator(plain)]
-Count = Annotated[int, BeforeValidator(plain)]
 
 
 def number(parameter: Parameter, **options: Any) -> Any:
@@ -66,33 +36,6 @@ def number(parameter: Parameter, **options: Any) -> Any:
         json_schema_extra={"unit": parameter.unit, "symbol": parameter.symbol},
         **options,
     )
-
-
-class QueryModel(BaseModel):
-    """Base of all queries; unknown and repeated names are refused by `QueryRoute`."""
-
-    model_config = ConfigDict(frozen=True, validate_default=False)
-
-    cells: ClassVar[tuple[str, ...]] = ()
-    """The fields whose product is the number of cells of a map."""
-
-    def refuse_beyond(self, max_samples: int, max_cells: int) -> None:
-        """Refuse more than an operator lets the server compute at once.
-
-        Raises
-        ------
-        BadParameters
-            Naming what there is too much of, and the setting.
-        """
-        samples = getattr(self, "samples", 0)
-        if samples > max_samples:
-            message = f"this server computes at most {max_samples} (FRESNEL_MAX_SAMPLES)"
-            raise BadParameters({"parameter": "samples", "value": samples, "message": message})
-        if self.cells and math.prod(getattr(self, name) for name in self.cells) > max_cells:
-            first, names = self.cells[0], " times ".join(self.cells)
-            message = f"this server computes {names} at most {max_cells} (FRESNEL_MAX_CELLS)"
-            value = getattr(self, first)
-            raise BadParameters({"parameter": first, "value": value, "message": message})
 
 
 def preset_name(description: str, *examples: str) -> Any:
@@ -196,22 +139,10 @@ def refuse_beside(query: QueryModel, preset: str, *numbers: str) -> None:
         raise BadParameters(*errors)
 
 
-class DigitsQuery(QueryModel):
-    """How numbers are sent."""
-
-    digits: Count = Field(17, ge=3, le=17, description="Significant digits of the numbers sent.")
-
-
 class AngleQuery(QueryModel):
     """One angle of incidence."""
 
     theta_i_deg: Number = number(THETA_I_DEG, examples=[64.0])
-
-
-class TableQuery(DigitsQuery):
-    """How an answer that is a table is sent."""
-
-    format: Literal["json", "csv"] = Field("json", description="JSON, or CSV with a header row.")
 
 
 class SamplesQuery(QueryModel):
@@ -228,3 +159,25 @@ class SamplesQuery(QueryModel):
         description="Add Brewster's, the critical, the pseudo-Brewster and the principal angle to "
         "the samples.",
     )
+
+
+ChosenFields = Annotated[
+    dict[str, Any], Field(description="The fields named in `fields`, where it is given.")
+]
+"""A row of which only some fields were asked for."""
+
+
+def chosen_fields(text: str | None, known: Sequence[str]) -> list[str] | None:
+    """Read the comma-separated names of fields to send, in the order of all; None for all.
+
+    Raises
+    ------
+    NotAllowed
+        If a row has no such field.
+    """
+    if text is None:
+        return None
+    names = {name.strip() for name in text.split(",")}
+    if not names <= set(known):
+        raise NotAllowed("fields", text, f"names among {', '.join(known)}")
+    return [name for name in known if name in names]

@@ -7,13 +7,14 @@ from typing import Annotated, Any, Literal
 
 from fastapi import APIRouter, Query
 from pydantic import Field
+from starlette.responses import Response
 
 from app.api.answers import Answer, Large
 from app.api.error_schemas import MEASURE, RecommendationOut, figures_json
-from app.api.params import InterfaceQuery, Number, TableQuery
+from app.api.params import InterfaceQuery
 from app.api.responses import CONVENTION, interface_json, json_body
 from app.api.row_table import rows_csv_body
-from app.http.body import ReadyBody
+from app.http.query import Number, TableQuery
 from app.http.route import QueryRoute
 from app.optics.interface import Interface
 from app.optics.metrics import METRICS, Metric
@@ -53,7 +54,7 @@ def router(registry: Registry) -> APIRouter:
     """Routes over the models of `registry`."""
     routes = APIRouter(route_class=QueryRoute, tags=["errors"])
 
-    def respond(query: RecommendQuery) -> ReadyBody:
+    def respond(query: RecommendQuery) -> Response:
         interface = query.interface()
         metric: Metric = "cosine_weighted_mean" if query.metric == "albedo_error" else query.metric
         accepted, refused = (

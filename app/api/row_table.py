@@ -8,8 +8,9 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from app.api.responses import CSV, rounded, shown_as
-from app.http.body import ReadyBody
+from starlette.responses import Response
+
+from app.api.responses import CSV, ReadyBody, rounded, shown_as
 
 
 def rows_csv_body(
@@ -17,7 +18,7 @@ def rows_csv_body(
     rows: Sequence[Mapping[str, Any]],
     digits: int,
     filename: str,
-) -> ReadyBody:
+) -> Response:
     """Answer with CSV: a header row, then one row each; None, NaN and infinity are empty fields."""
     text = io.StringIO()
     table = csv.DictWriter(text, header, extrasaction="ignore", lineterminator="\r\n")

@@ -9,12 +9,13 @@ from typing import Annotated, Literal
 import orjson
 from fastapi import APIRouter, Query
 from pydantic import BaseModel, Field
+from starlette.responses import Response
 
 from app.api.answers import Answer
-from app.api.params import QueryModel
+from app.api.responses import ReadyBody
 from app.api.schemas import MeasuredOut
-from app.http.body import ReadyBody
 from app.http.problems import MissingResource
+from app.http.query import QueryModel
 from app.http.route import QueryRoute
 from app.optics.errors import NotAllowed, UnknownModel
 from app.optics.registry import Model, Registry
@@ -111,7 +112,7 @@ def router(registry: Registry) -> APIRouter:
     routes = APIRouter(route_class=QueryRoute, tags=["shaders"])
 
     @cache
-    def every_shader() -> ReadyBody:
+    def every_shader() -> Response:
         links = [
             {
                 "model": model.id,
@@ -124,7 +125,7 @@ def router(registry: Registry) -> APIRouter:
         payload = {"languages": [describe(x) for x in LANGUAGES.values()], "shaders": links}
         return ReadyBody(orjson.dumps(payload), "application/json", effort="thorough")
 
-    def one_shader(model: Model, language_id: str, channels: int, form: str) -> ReadyBody:
+    def one_shader(model: Model, language_id: str, channels: int, form: str) -> Response:
         reason = reason_without(model)
         if reason is not None:
             raise MissingResource(

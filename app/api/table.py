@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from functools import partial
 from typing import Any
 from urllib.parse import unquote
 
 import orjson
 from fastapi import APIRouter
 
-from app.http.body import ReadyBody
 from app.http.route import QueryRoute
 
 
@@ -39,21 +37,29 @@ class RouteTable:
                 return route, match.groupdict()
         return None, {}
 
-    def ask(self, target: str) -> ReadyBody:
-        """Answer a path with its query, percent-encoded, as the route does; errors are raised.
+    def ask(self, target: str) -> Any:
+        """Return what the endpoint of a path and query, percent-encoded, returns; errors are raised.
 
         Raises
         ------
         LookupError
             If no route has the path.
         """
+        route, parts, query = self._routed(target)
+        return route.answer(parts, route.read(query))
+
+    def written(self, target: str) -> bytes:
+        """Return the bytes that the route of a path and query sends; errors are raised."""
+        route, parts, query = self._routed(target)
+        return bytes(route.written(parts, route.read(query)).body)
+
+    def _routed(self, target: str) -> tuple[QueryRoute, Mapping[str, str], bytes]:
         path, _, query = target.partition("?")
         route, parts = self.find(unquote(path))
         if route is None:
             raise LookupError(path)
-        answer = route.answer(parts, route.read(query.encode()))
-        return answer() if isinstance(answer, partial) else answer
+        return route, parts, query.encode()
 
     def json(self, target: str) -> Any:
         """Answer as `ask` does, read as JSON."""
-        return orjson.loads(self.ask(target).encoded(None))
+        return orjson.loads(self.written(target))

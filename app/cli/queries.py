@@ -24,7 +24,6 @@ from app.api import PREFIX
 from app.api.table import RouteTable
 from app.cli import plots, tables
 from app.cli.tables import Sheets
-from app.http.body import ReadyBody
 from app.http.problems import PROBLEMS, problem_of
 from app.settings import Settings
 
@@ -169,9 +168,9 @@ def _fail(path: str, error: Exception) -> NoReturn:
     raise typer.Exit(2)
 
 
-def _ask(path: str, query: Mapping[str, str]) -> ReadyBody:
+def _ask(path: str, query: Mapping[str, str]) -> bytes:
     try:
-        return _table().ask(f"{path}?{urlencode(query)}")
+        return _table().written(f"{path}?{urlencode(query)}")
     except LookupError:
         _fail(PREFIX + unquote(path), HTTPException(404))
     except PROBLEMS as error:
@@ -200,12 +199,12 @@ def _run(command: Command, given: dict[str, str], output: Mapping[str, Any]) -> 
         )
         usual = {"digits": _DIGITS, **command.in_table}
         given = {name: v for name, v in usual.items() if name in fields} | given
-        tables.print_tables(command.sheets(orjson.loads(_ask(path, given).encoded(None))))
+        tables.print_tables(command.sheets(orjson.loads(_ask(path, given))))
         return
     if output["format"] == "csv":
         typer.echo(_csv(command, path, given), nl=False)
         return
-    body = _ask(path, given).encoded(None)
+    body = _ask(path, given)
     shown = orjson.dumps(orjson.loads(body), option=orjson.OPT_INDENT_2)
     typer.echo(shown if sys.stdout.isatty() else body)
 
@@ -218,22 +217,22 @@ def _csv(command: Command, path: str, given: Mapping[str, str]) -> str:
         and route.query_model is not None
         and "format" in route.query_model.model_fields
     ):
-        written = _ask(path, {**given, "format": "csv"}).encoded(None).decode()
+        written = _ask(path, {**given, "format": "csv"}).decode()
         return written.replace("\r\n", "\n")
-    return tables.write_csv(command.sheets(orjson.loads(_ask(path, given).encoded(None))))
+    return tables.write_csv(command.sheets(orjson.loads(_ask(path, given))))
 
 
 def _draw(command: Command, given: dict[str, str], output: Mapping[str, Any]) -> None:
     path = f"/figures/{command.figure}"
     if output["plot"]:
-        typer.echo(plots.in_terminal(_ask(path, given).encoded(None)))
+        typer.echo(plots.in_terminal(_ask(path, given)))
     if output["save"]:
         file: Path = output["save"]
-        body = _ask(path, given | {"format": file.suffix.removeprefix(".")}).encoded(None)
+        body = _ask(path, given | {"format": file.suffix.removeprefix(".")})
         file.write_bytes(body)
         typer.echo(f"{file}: {len(body)} bytes", err=True)
     if output["open"]:
-        page = _ask(path, given | {"format": "html"}).encoded(None)
+        page = _ask(path, given | {"format": "html"})
         typer.echo(plots.open_page(page), err=True)
 
 

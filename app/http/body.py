@@ -1,4 +1,4 @@
-"""Bytes that are ready to be sent: tagged, compressed once, answered with 304 where known."""
+"""Bytes in the encodings that clients ask for, each made once, and 304 for who has them."""
 
 from __future__ import annotations
 
@@ -37,85 +37,76 @@ class Reply(NamedTuple):
     body: bytes
 
 
-class ReadyBody:
+class EncodedBody:
     """Bytes to be sent any number of times, tagged once and compressed once an encoding.
 
     Parameters
     ----------
     body
         The content.
-    media_type
-        Its type, the charset included.
     headers
-        More headers that belong to the content.
+        Those that belong to it, its type among them.
     effort
         How hard to compress.
-    cacheable
-        Whether the answer will be the same next time.
     """
 
-    def __init__(
-        self,
-        body: bytes,
-        media_type: str,
-        headers: Mapping[str, str] | None = None,
-        *,
-        effort: Effort = "quick",
-        cacheable: bool = True,
-    ) -> None:
-        self.body = body
-        self.cacheable = cacheable
+    def __init__(self, body: bytes, headers: Headers, effort: Effort = "quick") -> None:
         self._effort: Effort = effort
         self._encoded: dict[Coding | None, bytes] = {None: body}
         # Short, for the page is dozens of files: it only tells the versions of one address apart.
         # SHA-256 because processors have instructions for it, which makes it faster than BLAKE2.
         self.etag = b'W/"' + urlsafe_b64encode(sha256(body).digest()[:9]) + b'"'
-        more = {**(headers or {}), "Vary": "Accept-Encoding"}
-        self._of_content: Headers = [(k.lower().encode(), v.encode()) for k, v in more.items()]
-        self._of_content.append((b"etag", self.etag))
-        self._content_type = (b"content-type", media_type.encode())
-        self.size = size = len(body)  # of all encodings made so far
+        self._headers = [*headers, (b"vary", b"Accept-Encoding"), (b"etag", self.etag)]
+        size = len(body)
         self._codings: tuple[Coding, ...] = ("zstd", "gzip")
         if size < _SMALLEST[effort]:
             self._codings = ()
         elif effort == "thorough" and size <= _LARGEST_BROTLI:
             self._codings = ("br", "zstd", "gzip")
 
+    @property
+    def size(self) -> int:
+        """Bytes of all encodings made so far."""
+        return sum(map(len, self._encoded.values()))
+
     def coding(self, request: Iterable[tuple[bytes, bytes]]) -> Coding | None:
         """Choose the encoding for a client that sent these headers, None for the bytes as is."""
         accepted = b",".join([value for name, value in request if name == b"accept-encoding"])
         return _best(accepted, self._codings) if accepted and self._codings else None
 
+    def is_made(self, coding: Coding | None) -> bool:
+        """Whether the encoding is there already."""
+        return coding in self._encoded
+
     def takes_long(self, coding: Coding | None) -> bool:
         """Whether the encoding has yet to be made, and that takes longer than others should wait."""
-        return coding not in self._encoded and len(self.body) > _QUICKLY_COMPRESSED[self._effort]
+        return not self.is_made(coding) and (
+            len(self._encoded[None]) > _QUICKLY_COMPRESSED[self._effort]
+        )
 
     def encoded(self, coding: Coding | None) -> bytes:
         """The bytes in an encoding, made the first time."""
         if coding not in self._encoded:
-            made = self._encoded[coding] = _compress(self.body, coding, self._effort)
-            self.size += len(made)
+            self._encoded[coding] = _compress(self._encoded[None], coding, self._effort)
         return self._encoded[coding]
 
-    def reply(self, request: Headers, more: Headers, coding: Coding | None) -> Reply:
+    def reply(self, request: Headers, coding: Coding | None) -> Reply:
         """Answer a client that sent the headers `request`: 304 where it has the content.
 
         Parameters
         ----------
         request
             Headers of the request.
-        more
-            Headers to be sent beside those of the content.
         coding
             The encoding, as `coding` chose it.
         """
-        headers = [*self._of_content, *more]
         if any(name == b"if-none-match" and self._is_among(held) for name, held in request):
-            return Reply(304, headers, b"")
+            kept = [h for h in self._headers if h[0] not in (b"content-type", b"content-length")]
+            return Reply(304, kept, b"")
         body = self.encoded(coding)
+        headers = [*self._headers, (b"content-length", b"%d" % len(body))]
         if coding is not None:
             headers.append((b"content-encoding", coding.encode()))
-        headers += [self._content_type, (b"content-length", b"%d" % len(body))]
         return Reply(200, headers, body)
 
     def _is_among(self, held: bytes) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 
 from starlette.datastructures import Headers
 from starlette.middleware.cors import CORSMiddleware
@@ -46,7 +46,9 @@ class HeadAsGet:
 
         inner = {**scope, "method": "GET"}
         await self.app(inner, receive, send_without_body)
-        scope.update({key: inner[key] for key in ("route", "path_params") if key in inner})
+        for key in ("route", "path_params", "cache"):  # for the log
+            if key in inner:
+                scope[key] = inner[key]
 
 
 class KnownHosts:
@@ -103,24 +105,68 @@ class _Refusal(Response):
         await problem(scope, receive, send)
 
 
-class OpenToOtherPages:
-    """ASGI middleware that opens addresses to any page, and leaves all others alone.
+class CommonHeaders:
+    """ASGI middleware that adds what every answer carries.
 
-    The page's own files need no such headers, and it consists of dozens of them.
+    Nosniff on all; on the API that any page of any origin may read it; on documents the policy that
+    `documents` gives for a query.
+
+    Parameters
+    ----------
+    app
+        The application.
+    api
+        What the paths of the API start with.
+    documents
+        The headers of a document that was asked for with a query.
     """
 
-    def __init__(self, app: ASGIApp, prefixes: tuple[str, ...]) -> None:
+    def __init__(
+        self,
+        app: ASGIApp,
+        *,
+        api: tuple[str, ...],
+        documents: Callable[[bytes], Mapping[str, str]],
+    ) -> None:
         self.app = app
-        self.prefixes = prefixes
-        self.opened = _Cors(
+        self._api = api
+        self._documents = documents
+        self._preflight = _Cors(
             app,
             allow_origins=["*"],
             allow_methods=["GET", "HEAD", "POST"],
             allow_headers=["Content-Type", "If-None-Match", "X-Request-ID"],
-            expose_headers=EXPOSED_HEADERS,
         )
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass the request on, and what the address deserves back."""
-        is_open = scope["type"] == "http" and scope["path"].startswith(self.prefixes)
-        await (self.opened if is_open else self.app)(scope, receive, send)
+        """Pass the request on, and the answer back with its headers."""
+        if scope["type"] != "http":
+            await self.app(scope, receive, send)
+            return
+        is_api = scope["path"].removeprefix(scope["root_path"]).startswith(self._api)
+
+        async def send_with_headers(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                given = message.get("headers", ())
+                more = [*_ON_ALL, *(_ON_API if is_api else ())]
+                if any(n == b"content-type" and v.startswith(b"text/html") for n, v in given):
+                    present = {name for name, _ in given}
+                    documents = self._documents(scope["query_string"]).items()
+                    named = ((n.lower().encode(), v.encode()) for n, v in documents)
+                    more += [(name, value) for name, value in named if name not in present]
+                message = {**message, "headers": [*given, *more]}
+            await send(message)
+
+        if is_api and scope["method"] == "OPTIONS":
+            await self._preflight(scope, receive, send_with_headers)
+        else:
+            await self.app(scope, receive, send_with_headers)
+
+
+_ON_ALL = ((b"x-content-type-options", b"nosniff"),)
+
+# Sent to everybody: a cache would hand an answer without them to a page of another origin.
+_ON_API = (
+    (b"access-control-allow-origin", b"*"),
+    (b"access-control-expose-headers", ", ".join(EXPOSED_HEADERS).encode()),
+)

@@ -23,14 +23,6 @@ MEDIA_TYPE = "application/problem+json"
 EXPOSED_HEADERS = ["ETag", "Interpolation-Error", "X-Request-ID"]
 """What pages of other origins may read beside the body."""
 
-API_HEADERS = [
-    # Sent to everybody: a cache would hand an answer without them to a page of another origin.
-    (b"access-control-allow-origin", b"*"),
-    (b"access-control-expose-headers", ", ".join(EXPOSED_HEADERS).encode()),
-    (b"x-content-type-options", b"nosniff"),
-]
-"""On every answer of the API, errors included."""
-
 _COMPONENT = "#/components/schemas/{model}"
 MOST_ERRORS = 20
 """Errors that one answer lists."""
@@ -90,9 +82,7 @@ def problem_response(
     The path is the scope's: `request.url` takes the query apart, which may be no UTF-8.
     """
     body = problem_bytes(status, detail, request.scope["path"], errors)
-    response = Response(body, status, headers, MEDIA_TYPE)
-    response.raw_headers += API_HEADERS
-    return response
+    return Response(body, status, headers, MEDIA_TYPE)
 
 
 def problem_bytes(

@@ -4,20 +4,27 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Coroutine, Mapping
+from contextlib import AsyncExitStack
+from functools import partial
 from itertools import islice
 from typing import Any, get_args
 from urllib.parse import parse_qsl
 
 from annotated_types import Ge, Le
 from fastapi import Request
+from fastapi.dependencies.models import Dependant
+from fastapi.dependencies.utils import solve_dependencies
+from fastapi.exceptions import RequestValidationError
 from fastapi.routing import APIRoute
 from pydantic import ValidationError
 from pydantic.fields import FieldInfo
 from starlette.responses import Response
 
-from app.api.answers import Answer
-from app.api.params import QueryModel
+from app.http.body import Effort
 from app.http.problems import MOST_ERRORS, BadParameters, ParameterError, unknown_parameter
+from app.http.query import QueryModel
+from app.http.serving import Serving
+from app.http.writing import write
 
 _NOT_MODIFIED = {"description": "The client has the answer: If-None-Match names its ETag."}
 _CSV_AS_WELL = {"content": {"text/csv": {"schema": {"type": "string"}}}}
@@ -28,9 +35,16 @@ class QueryRoute(APIRoute):
 
     Unknown and repeated parameters are refused, so that nothing a client sends is lost, and the
     query is validated by pydantic in one step, where FastAPI would take it apart field by field in
-    Python. OpenAPI is FastAPI's own, from the endpoint's signature. Requests are answered by
-    `app.http.front`, before FastAPI's routing: what an endpoint returns says all there is to be sent.
+    Python. What the endpoint returns is written by `app.http.writing`, as the query's `format` and
+    `digits` say; what the query says takes long is computed in a thread, once for all who ask at
+    the same time. OpenAPI is FastAPI's own, from the endpoint's signature.
     """
+
+    lifetime: str | None = None
+    """How long answers may be kept, as Cache-Control says it; unless given, as the server does."""
+
+    effort: Effort = "quick"
+    """How hard answers are compressed; those that stay the same while the program runs, thoroughly."""
 
     def __init__(
         self,
@@ -46,7 +60,7 @@ class QueryRoute(APIRoute):
             self.responses[200] = _CSV_AS_WELL
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """Read the endpoint's signature."""
+        """Answer requests by the endpoint; its signature is read here."""
         if self.methods != {"GET"} or self.dependant.body_params:
             raise TypeError(f"{self.path}: a QueryRoute answers GET and takes no body")
         self._query_name: str | None = None
@@ -58,7 +72,45 @@ class QueryRoute(APIRoute):
                 raise TypeError(f"{self.path}: {parameter.name} must be a query model")
             self._query_name, self._model = parameter.name, model
             self._fields = {info.alias or name: info for name, info in model.model_fields.items()}
-        return _answered_in_front
+
+        async def handle(request: Request) -> Response:
+            await self._meet_dependencies(request)
+            scope = request.scope
+            serving: Serving = scope["app"].state.serving
+            query = self.read(scope["query_string"])
+            lifetime = self.lifetime or serving.lifetime
+
+            def work() -> Response:
+                response = self.written(scope["path_params"], query)
+                response.headers.setdefault("cache-control", lifetime)
+                return response
+
+            scope["effort"] = self.effort
+            if query is None:
+                return work()
+            query.refuse_beyond(serving.max_samples, serving.max_cells)
+            if query.takes_long:
+                return await serving.shared((scope["path"], scope["query_string"]), work)
+            return work()
+
+        return handle
+
+    async def _meet_dependencies(self, request: Request) -> None:
+        """Run what a route, a router or an application depends on, as FastAPI does before endpoints."""
+        # Where this route was included, with what dependencies, FastAPI leaves in the scope.
+        included = request.scope.get("fastapi", {}).get("effective_route_context", self)
+        if not included.dependant.dependencies:
+            return
+        async with AsyncExitStack() as stack:
+            solved = await solve_dependencies(
+                request=request,
+                dependant=Dependant(dependencies=included.dependant.dependencies),
+                dependency_overrides_provider=self.dependency_overrides_provider,
+                async_exit_stack=stack,
+                embed_body_fields=False,
+            )
+        if solved.errors:
+            raise RequestValidationError(solved.errors)
 
     @property
     def query_model(self) -> type[QueryModel] | None:
@@ -84,15 +136,23 @@ class QueryRoute(APIRoute):
         except ValidationError as error:
             raise BadParameters(*explain(error, self._fields)) from None
 
-    def answer(self, path: Mapping[str, str], query: QueryModel | None) -> Answer:
+    def answer(self, path: Mapping[str, str], query: QueryModel | None) -> Any:
         """Call the endpoint with the parts of the path and the query that `read` returned."""
         named = {} if self._query_name is None else {self._query_name: query}
-        answer: Answer = self.endpoint(**path, **named)
-        return answer
+        return self.endpoint(**path, **named)
+
+    def written(self, path: Mapping[str, str], query: QueryModel | None) -> Response:
+        """Write what the endpoint answers in the way that the query asks for."""
+        answer = self.answer(path, query)
+        if isinstance(answer, partial):  # until every answer is typed
+            answer = answer()
+        return write(answer, getattr(query, "format", "json"), getattr(query, "digits", 17))
 
 
-async def _answered_in_front(request: Request) -> Response:
-    raise RuntimeError(f"{request.scope['path']} was routed here past app.http.front")
+class LastingRoute(QueryRoute):
+    """A route whose answers stay the same while the program runs, and are many: most of a page."""
+
+    effort = "thorough"
 
 
 def refuse_unknown_and_repeated(

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import os
-from collections.abc import MutableMapping
+from collections.abc import Mapping, MutableMapping
 from functools import lru_cache
 from mimetypes import guess_type
 from pathlib import Path
 from typing import Any
 
-from starlette.datastructures import MutableHeaders
+from anyio import to_thread
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
 from starlette.staticfiles import PathLike, StaticFiles
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.types import Receive, Scope, Send
 
-from app.http.body import Headers, ReadyBody
+from app.http.body import EncodedBody, Headers
 from app.page.comments import without_comments
 from app.page.service_worker import SCRIPT, service_worker
 
@@ -36,9 +36,6 @@ _CONTENT_SECURITY_POLICY = "; ".join(
     ]
 )
 
-SECURITY_HEADERS = {"X-Content-Type-Options": "nosniff"}
-"""On every answer."""
-
 DOCUMENT_SECURITY_HEADERS = {
     "Content-Security-Policy": f"{_CONTENT_SECURITY_POLICY}; frame-ancestors 'none'",
     "Referrer-Policy": "no-referrer",
@@ -53,33 +50,11 @@ EMBEDDED_SECURITY_HEADERS = DOCUMENT_SECURITY_HEADERS | {
 """On the page without its shell (`?embed=1`), which may stand in any other page."""
 
 
-class SecurityHeaders:
-    """ASGI middleware that adds the security headers to answers that have none of their own."""
-
-    def __init__(self, app: ASGIApp) -> None:
-        self.app = app
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass the request on and the answer back."""
-        if scope["type"] != "http":
-            await self.app(scope, receive, send)
-            return
-
-        async def send_with_headers(message: Message) -> None:
-            if message["type"] == "http.response.start":
-                headers = MutableHeaders(scope=message)
-                document = headers.get("content-type", "").startswith("text/html")
-                added = SECURITY_HEADERS | (_of_document(scope) if document else {})
-                for name, value in added.items():
-                    headers.setdefault(name, value)
-            await send(message)
-
-        await self.app(scope, receive, send_with_headers)
-
-
-def _of_document(scope: Scope) -> dict[str, str]:
-    embedded = b"embed=1" in scope["query_string"].split(b"&")
-    return EMBEDDED_SECURITY_HEADERS if embedded else DOCUMENT_SECURITY_HEADERS
+def document_headers(query: bytes) -> Mapping[str, str]:
+    """Security headers of the page that was asked for with a query."""
+    return (
+        EMBEDDED_SECURITY_HEADERS if b"embed=1" in query.split(b"&") else DOCUMENT_SECURITY_HEADERS
+    )
 
 
 _UNDERSTOOD = {".css", ".js"}
@@ -116,22 +91,41 @@ class Page(StaticFiles):
         if path.suffix in _TEXT and status_code == 200:
             if parts == (SCRIPT,):
                 script = service_worker(Path(str(self.directory)).resolve())
-                ready = ReadyBody(script, "text/javascript; charset=utf-8")
-            else:
-                ready = _ready(path, stat_result.st_mtime_ns, vendored)
-            kept: Headers = [(b"cache-control", cache_control.encode())]
-            response = Response()
-            response.status_code, response.raw_headers, response.body = ready.reply(
-                scope["headers"], kept, ready.coding(scope["headers"])
-            )
-            return response
+                return _Text(
+                    EncodedBody(script, _headers("text/javascript; charset=utf-8", "no-cache"))
+                )
+            return _Text(_encoded(path, stat_result.st_mtime_ns, cache_control, vendored))
         response = super().file_response(full_path, stat_result, scope, status_code)
         response.headers["Cache-Control"] = cache_control
         return response
 
 
+class _Text(Response):
+    """A file in the encoding that the client asks for; what takes long is made in a thread."""
+
+    def __init__(self, encoded: EncodedBody) -> None:
+        super().__init__()
+        self._encoded = encoded
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        coding = self._encoded.coding(scope["headers"])
+        if self._encoded.takes_long(coding):
+            await to_thread.run_sync(self._encoded.encoded, coding)
+        self.status_code, self.raw_headers, self.body = self._encoded.reply(
+            scope["headers"], coding
+        )
+        await super().__call__(scope, receive, send)
+
+
+def _headers(media_type: str, cache_control: str) -> Headers:
+    return [
+        (b"content-type", media_type.encode()),
+        (b"cache-control", cache_control.encode()),
+    ]
+
+
 @lru_cache(maxsize=512)
-def _ready(path: Path, _mtime_ns: int, vendored: bool) -> ReadyBody:
+def _encoded(path: Path, _mtime_ns: int, cache_control: str, vendored: bool) -> EncodedBody:
     """A text file to be sent, our own without comments; read again when it has changed."""
     media_type = guess_type(path.name)[0] or "text/plain"
     # Scripts and styles are read as UTF-8 in our documents without being told so in each answer.
@@ -140,4 +134,4 @@ def _ready(path: Path, _mtime_ns: int, vendored: bool) -> ReadyBody:
     text = path.read_bytes()
     if not vendored:
         text = without_comments(text, path.suffix)
-    return ReadyBody(text, media_type, effort="thorough")
+    return EncodedBody(text, _headers(media_type, cache_control), effort="thorough")

@@ -20,9 +20,12 @@ LAYERS = {
     "app.claims": {"app.optics"},
     "app.batch": {"app.materials", "app.optics"},
     "app.figures": set(),
+    "app.answers": {"app.materials", "app.optics"},
     "app.server.pool": set(),
-    "app.http": {"app.optics", "app.server.pool", "app.api", "app.settings"},
+    "app.server.drain": set(),
+    "app.http": {"app.answers", "app.optics", "app.server.pool"},
     "app.api": {
+        "app.answers",
         "app.batch",
         "app.claims",
         "app.figures",
@@ -33,7 +36,6 @@ LAYERS = {
         "app.server.pool",
         "app.snippets",
     },
-    "app.server.drain": set(),
     "app.page": {"app.http"},
     "app.settings": set(),
 }

@@ -21,10 +21,9 @@ from app.api.evaluate.items import ItemReader
 from app.api.evaluate.negotiation import accepted
 from app.api.evaluate.openapi import operation
 from app.api.evaluate.pieces import MOST_VALUES, Piece, Questions, TooManyValues
-from app.api.params import DigitsQuery
 from app.api.responses import round_significant
 from app.batch.evaluation import evaluate
-from app.http.problems import API_HEADERS
+from app.http.query import DigitsQuery
 from app.http.route import refuse_unknown_and_repeated
 from app.optics.registry import Registry
 from app.server.pool import Pool
@@ -77,7 +76,7 @@ def router(registry: Registry, pool: Pool, body_bytes: int) -> APIRouter:
             return Response(status_code=400)  # nobody is there to read it
         chunks = _streamed(questions, writer, registry, pool, query.digits)
         response = StreamingResponse(chunks, media_type=writer.media_type)
-        response.raw_headers += [(b"cache-control", b"no-store"), *API_HEADERS]
+        response.raw_headers += [(b"cache-control", b"no-store")]
         return response
 
     return routes

@@ -11,6 +11,7 @@ from typing import Annotated, Any
 import numpy as np
 from fastapi import APIRouter, Query
 from pydantic import Field
+from starlette.responses import Response
 
 from app.api.answers import Answer, Large
 from app.api.materials.queries import (
@@ -26,10 +27,10 @@ from app.api.materials.queries import (
 from app.api.materials.rgb import CHANNELS, RgbQuery, check_models, rgb_json
 from app.api.materials.schemas import MaterialCurvesOut
 from app.api.model_parameters import parse_models
-from app.api.params import MAX_SAMPLES, Count, TableQuery
+from app.api.params import MAX_SAMPLES
 from app.api.presets import reported_as
 from app.api.responses import CONVENTION, csv_body, json_body
-from app.http.body import ReadyBody
+from app.http.query import Count, TableQuery
 from app.materials import Preset, Spectrum, default_catalog
 from app.optics.amplitudes import reflectance
 from app.optics.incidence import Incidence
@@ -105,7 +106,7 @@ def _written(number: float) -> str:
     return repr(number).removesuffix(".0")
 
 
-def curves_answer(preset: Preset, query: MaterialCurvesQuery, models: list[Model]) -> ReadyBody:
+def curves_answer(preset: Preset, query: MaterialCurvesQuery, models: list[Model]) -> Response:
     """Curves as JSON or CSV."""
     spectrum, front = default_catalog().spectrum(preset.id), query.front()
     wavelength_nm = wavelengths_of(spectrum, front, query)

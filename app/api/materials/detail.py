@@ -11,8 +11,9 @@ from app.api.answers import Answer
 from app.api.materials.listing import row, swatch
 from app.api.materials.queries import ColorQuery, found, swatch_gamut
 from app.api.materials.schemas import MaterialDetailOut
-from app.api.params import DigitsQuery, Number, wavelength
+from app.api.params import wavelength
 from app.api.responses import json_body
+from app.http.query import DigitsQuery, Number
 from app.materials import (
     Appearance,
     Preset,

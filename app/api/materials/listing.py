@@ -8,13 +8,13 @@ from typing import Annotated, Any, Literal
 import orjson
 from fastapi import APIRouter, Query
 from pydantic import Field
+from starlette.responses import Response
 
 from app.api.answers import Answer
 from app.api.materials.queries import swatch_gamut
 from app.api.materials.schemas import MaterialsOut
-from app.api.params import Count, DigitsQuery
-from app.api.responses import json_body
-from app.http.body import ReadyBody
+from app.api.responses import ReadyBody, json_body
+from app.http.query import Count, DigitsQuery
 from app.materials import Category, Preset, default_catalog
 from app.optics.color import Gamut, apply_gamut, srgb_hex
 from app.optics.errors import NotAllowed
@@ -100,7 +100,7 @@ def listed(query: ListQuery) -> dict[str, Any]:
 
 
 @lru_cache(maxsize=8)
-def whole_list(fields: str | None) -> ReadyBody:
+def whole_list(fields: str | None) -> Response:
     """The answers that most clients ask for, made once a process."""
     query = ListQuery() if fields is None else ListQuery(fields=fields)
     return ReadyBody(orjson.dumps(listed(query)), "application/json", effort="thorough")

@@ -8,9 +8,10 @@ from typing import Any, Self
 import numpy as np
 from pydantic import Field, model_validator
 
-from app.api.params import Number, QueryModel, number, preset_name, refuse_beside
+from app.api.params import number, preset_name, refuse_beside
 from app.api.presets import reported_as
 from app.http.problems import MissingResource
+from app.http.query import Number, QueryModel
 from app.materials import (
     NoSpectrum,
     Preset,

@@ -8,6 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from fastapi import APIRouter, Query
 from pydantic import Field
+from starlette.responses import Response
 
 from app.api.answers import Answer, Large
 from app.api.materials.queries import (
@@ -20,9 +21,9 @@ from app.api.materials.queries import (
     visible_part,
 )
 from app.api.materials.schemas import MaterialMapOut, SpectrumOut
-from app.api.params import MAX_SAMPLES, Count, Number, QueryModel, TableQuery, wavelength
+from app.api.params import MAX_SAMPLES, wavelength
 from app.api.responses import CONVENTION, csv_body, json_body
-from app.http.body import ReadyBody
+from app.http.query import Count, Number, QueryModel, TableQuery
 from app.materials import Preset, Spectrum, WavelengthOutOfRange, default_catalog
 from app.materials.schema import Points, Quantity
 from app.optics.amplitudes import power
@@ -144,7 +145,7 @@ def normal_reflectance(n: Array, k: Array | None) -> tuple[Array, list[str]]:
     return F0, [] if np.array_equal(known, computed) else [beyond]
 
 
-def spectrum_answer(preset: Preset, query: SpectrumQuery) -> ReadyBody:
+def spectrum_answer(preset: Preset, query: SpectrumQuery) -> Response:
     """Constants over the wavelength as JSON or CSV."""
     spectrum = default_catalog().spectrum(preset.id)
     file, known = spectrum.file, known_range(spectrum)
@@ -188,7 +189,7 @@ def spectrum_answer(preset: Preset, query: SpectrumQuery) -> ReadyBody:
     return json_body(payload, query.digits)
 
 
-def map_answer(preset: Preset, query: MapQuery) -> ReadyBody:
+def map_answer(preset: Preset, query: MapQuery) -> Response:
     """Reflectance over angle and wavelength as JSON, or as CSV with a row a cell."""
     spectrum, front = default_catalog().spectrum(preset.id), query.front()
     known = front.range_beside(spectrum)

@@ -1,22 +1,28 @@
-"""Answers in front of routing: found again however they are asked for, within a bound of memory."""
+"""Finished answers: found again by their address, within a bound of memory."""
 
 from __future__ import annotations
 
 import asyncio
+import random
 import threading
 import time
 import tracemalloc
+from collections.abc import Callable
+from typing import Annotated
 
 import pytest
-from fastapi import FastAPI
+from fastapi import APIRouter, Depends, FastAPI, Query
 from fastapi.routing import APIRoute
 from hypothesis import given
 from hypothesis import strategies as st
+from starlette.exceptions import HTTPException
 from starlette.types import Receive, Scope, Send
 
-from app.api import curves
-from app.api.responses import interface_json
-from app.http.body import ReadyBody
+import app.answers.curves as answered
+from app.answers.interface import InterfaceFacts
+from app.answers.snell import Ray, ray
+from app.api import snell
+from app.api.params import InterfaceQuery
 from app.http.cache import AnswerCache
 from app.http.route import QueryRoute
 from app.main import create_app
@@ -33,13 +39,13 @@ API = b"/api/v1"
 def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """How often the interface of a `/curves` answer was worked out."""
     calls: list[int] = []
-    original = interface_json
+    original = InterfaceFacts.of
 
-    def counting(interface: Interface) -> object:
+    def counting(interface: Interface) -> InterfaceFacts:
         calls.append(1)
         return original(interface)
 
-    monkeypatch.setattr(curves, "interface_json", counting)
+    monkeypatch.setattr(InterfaceFacts, "of", counting)
     return calls
 
 
@@ -54,10 +60,15 @@ class TestSameQuestion:
             b"n_t=+1.5&k_t=2&samples=7",
         ],
     )
-    def test_is_computed_once(self, counted: list[int], again: bytes) -> None:
+    def test_has_the_same_answer(self, again: bytes) -> None:
         app = create_app()
         first = send(app, API + b"/curves?n_t=1.5&k_t=2&samples=7")
         assert send(app, API + b"/curves?" + again) == first
+
+    def test_in_the_same_words_is_computed_once(self, counted: list[int]) -> None:
+        app = create_app()
+        asked = [send(app, API + b"/curves?n_t=1.5&k_t=2&samples=7") for _ in range(3)]
+        assert asked[0] == asked[1] == asked[2]
         assert len(counted) == 1
 
     def test_head_and_get_are_the_same_question(self, counted: list[int]) -> None:
@@ -116,7 +127,7 @@ def uncached() -> FastAPI:
     return UNCACHED[0]
 
 
-def test_every_get_of_the_api_is_answered_in_front(app: FastAPI) -> None:
+def test_every_get_of_the_api_is_answered_by_a_query_route(app: FastAPI) -> None:
     paths = {path for path, on in app.openapi()["paths"].items() if "get" in on}
     assert paths
     for route in app.routes:
@@ -124,6 +135,43 @@ def test_every_get_of_the_api_is_answered_in_front(app: FastAPI) -> None:
     for path in paths:
         answer = send(app, path.replace("{", "").replace("}", "").encode())
         assert answer.status != 500, path
+
+
+class KeyQuery(InterfaceQuery):
+    k: str = ""
+
+
+def key(k: str = "") -> None:
+    if k != "open":
+        raise HTTPException(401, "no key")
+
+
+class TestRoutesAreFastApis:
+    def test_they_answer_without_any_middleware(self, app: FastAPI) -> None:
+        bare = FastAPI()
+        bare.state.serving = app.state.serving
+        bare.include_router(snell.router())
+        answer = send(bare, b"/snell?n_t=1.5")
+        assert answer.body == send(app, API + b"/snell?n_t=1.5").body
+
+    @pytest.mark.parametrize("where", ["application", "inclusion", "router"])
+    def test_a_dependency_is_met_before_the_endpoint(self, app: FastAPI, where: str) -> None:
+        needed = {where: [Depends(key)]}
+        guarded = FastAPI(dependencies=needed.get("application"))
+        guarded.state.serving = app.state.serving
+        routes = APIRouter(route_class=QueryRoute, dependencies=needed.get("router"))
+        asked: list[float] = []
+
+        @routes.get("/snell")
+        def ask(query: Annotated[KeyQuery, Query()]) -> Ray:
+            asked.append(query.n_t)
+            return ray(query.interface(), Incidence.from_degrees(0.0))
+
+        guarded.include_router(routes, dependencies=needed.get("inclusion"))
+        assert send(guarded, b"/snell?n_t=2").status == 401
+        assert asked == []
+        assert send(guarded, b"/snell?n_t=2&k=open").status == 200
+        assert asked == [2.0]
 
 
 def test_the_api_below_another_path_is_found() -> None:
@@ -136,40 +184,104 @@ def test_the_api_below_another_path_is_found() -> None:
     assert send(below, API + b"/snell") == send(app, API + b"/snell")
 
 
+class Source:
+    """An application that answers with what it is told, and counts."""
+
+    def __init__(self) -> None:
+        self.asked: list[str] = []
+        self.headers: dict[bytes, bytes] = {b"cache-control": b"public, max-age=60"}
+        self.body: Callable[[str], bytes] = lambda path: path.encode() * 1000
+
+    async def __call__(self, scope: Scope, _: Receive, send: Send) -> None:
+        path = scope["path"]
+        self.asked.append(path)
+        scope.update(route=None, path_params={})
+        named = {**self.headers, b"content-disposition": path.encode()}
+        headers = [(b"content-type", b"text/plain"), *named.items()]
+        await send({"type": "http.response.start", "status": 200, "headers": headers})
+        await send({"type": "http.response.body", "body": self.body(path)})
+
+
+def cached(source: Source, limit: int = 10**6, pool: Pool | None = None) -> AnswerCache:
+    return AnswerCache(source, prefix="/", limit=limit, pool=pool or Pool(1, 4, 10.0))
+
+
 class TestCache:
-    def test_equal_answers_are_kept_once(self) -> None:
-        cache = AnswerCache(10**6)
-        first = cache.put(ReadyBody(b"x" * 5000, "text/plain"), "a", 10)
-        assert cache.put(ReadyBody(b"x" * 5000, "text/plain"), "b", 10) is first
-        assert cache.get("a") is cache.get("b") is first
-        assert len(cache) == 1
+    def test_answers_with_equal_bodies_keep_their_own_headers(self) -> None:
+        source = Source()
+        source.body = lambda _: b"the same" * 1000
+        cache = cached(source)
+        for path in (b"/a", b"/b", b"/a", b"/b"):
+            assert send(cache, path).headers["content-disposition"] == path.decode()
+        assert source.asked == ["/a", "/b"]
+
+    def test_two_tables_with_equal_texels_keep_their_file_names(self, app: FastAPI) -> None:
+        # Schlick with F0 = 0.04 at two interfaces: one function, two names of files.
+        targets = [
+            API + b"/lut?format=npy&size=16&n_t=1.5&model=" + model
+            for model in (b"schlick", b"schlick_four_percent")
+        ]
+        first, second = (send(app, target) for target in targets)
+        assert first.body == second.body
+        assert first.headers["content-disposition"] != second.headers["content-disposition"]
 
     def test_the_longest_unused_goes_first(self) -> None:
-        cache = AnswerCache(100_000)
-        for name in "abc":
-            cache.put(ReadyBody(name.encode() * 25_000, "text/plain"), name, 1)
-        cache.get("a")
-        cache.put(ReadyBody(b"d" * 25_000, "text/plain"), "d", 1)
-        assert [cache.get(name) is not None for name in "abcd"] == [True, False, True, True]
+        source = Source()
+        source.body = lambda path: path.encode() * 12_500
+        cache = cached(source, 100_000)
+        for path in (b"/a", b"/b", b"/c", b"/a", b"/d"):
+            send(cache, path)
+        source.asked.clear()
+        for path in (b"/a", b"/c", b"/d", b"/b"):
+            send(cache, path)
+        assert source.asked == ["/b"]
 
     def test_compressed_forms_count(self) -> None:
-        cache = AnswerCache(10**6)
-        ready = cache.put(ReadyBody(bytes(range(256)) * 40, "text/plain"), "a", 1)
-        before = cache.bytes
-        packed = ready.encoded("gzip")
-        assert cache.get("a") is ready
-        assert cache.bytes == before + len(packed)
+        source = Source()
+        noise = random.Random(1).randbytes(20_000)  # noqa: S311 - which no compression makes smaller
+        source.body = lambda path: path.encode() + noise
+        cache = cached(source, 60_000)
+        for _ in range(2):
+            send(cache, b"/a")
+            send(cache, b"/b")
+        assert source.asked == ["/a", "/b"]  # there is room for both
+        send(cache, b"/a", headers={"Accept-Encoding": "gzip"})
+        send(cache, b"/b")
+        assert source.asked == ["/a", "/b", "/b"]
 
     def test_what_is_larger_than_all_room_is_not_kept(self) -> None:
-        cache = AnswerCache(10_000)
-        cache.put(ReadyBody(b"x" * 20_000, "text/plain"), "a", 1)
-        assert (cache.get("a"), len(cache), cache.bytes) == (None, 0, 0)
+        source = Source()
+        cache = cached(source, 10_000)
+        source.body = lambda _: b"x" * 20_000
+        assert send(cache, b"/a").body == send(cache, b"/a").body
+        assert source.asked == ["/a", "/a"]
 
-    def test_many_spellings_of_one_question_do_not_grow_without_bound(self) -> None:
-        cache = AnswerCache(50_000)
-        for i in range(1000):
-            cache.put(ReadyBody(b"same", "text/plain"), f"{i}", 100)
-            assert cache.bytes <= 50_000
+    def test_what_is_not_public_is_not_kept(self) -> None:
+        source = Source()
+        source.headers = {b"cache-control": b"no-store"}
+        cache = cached(source)
+        send(cache, b"/a")
+        send(cache, b"/a")
+        assert source.asked == ["/a", "/a"]
+
+    def test_where_no_thread_is_free_an_answer_goes_uncompressed(self) -> None:
+        source = Source()
+        source.body = lambda _: b"x" * 2_000_000
+
+        async def ask() -> Answer:
+            pool, go = Pool(1, 0, 60.0), threading.Event()
+            busy = asyncio.create_task(pool.run(go.wait))
+            await asyncio.sleep(0)
+            try:
+                zipped = {"Accept-Encoding": "gzip"}
+                return await exchange(cached(source, pool=pool), b"/a", headers=zipped)
+            finally:
+                go.set()
+                await busy
+
+        answer = asyncio.run(ask())
+        assert (answer.status, len(answer.body)) == (200, 2_000_000)
+        assert "content-encoding" not in answer.headers
 
     def test_memory_stays_within_the_bound(self) -> None:
         limit = 2_000_000
@@ -230,14 +342,14 @@ def test_equal_large_questions_at_a_time_are_computed_once(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     calls: list[int] = []
-    original = curves.sampled_incidence
+    original = answered.sampled_incidence
 
     def slow(interface: Interface, samples: int, landmarks: bool) -> Incidence:
         calls.append(1)
         time.sleep(0.1)
         return original(interface, samples, landmarks)
 
-    monkeypatch.setattr(curves, "sampled_incidence", slow)
+    monkeypatch.setattr(answered, "sampled_incidence", slow)
     app = create_app()
     target = API + b"/curves?samples=20001&models=exact,schlick"
     answers: list[Answer] = asyncio.run(together(app, target, 5))

@@ -1,0 +1,1 @@
+"""Typed answers: what the API, the command, the claims and the figures say, without HTTP."""

@@ -1,0 +1,72 @@
+"""What an answer is: a frozen dataclass that orjson writes and pydantic describes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Annotated, Any, TypeVar, dataclass_transform
+
+import numpy as np
+from pydantic import ConfigDict, GetCoreSchemaHandler
+from pydantic_core import CoreSchema
+
+from app.optics.parameters import Array
+
+T = TypeVar("T")
+
+_CONFIG = ConfigDict(use_attribute_docstrings=True, arbitrary_types_allowed=True)
+
+
+@dataclass_transform(frozen_default=True, kw_only_default=True)
+def answer(cls: type[T]) -> type[T]:
+    """Make a class an answer: a frozen dataclass of keywords whose fields OpenAPI describes.
+
+    A string below a field is its description. Arrays are annotated by `Values` or `Grid`, which
+    say what JSON they become.
+    """
+    made = dataclass(frozen=True, slots=True, kw_only=True)(cls)
+    made.__pydantic_config__ = _CONFIG  # type: ignore[attr-defined]
+    return made
+
+
+@dataclass(frozen=True, slots=True)
+class SentAs:
+    """Tells pydantic which JSON an array becomes."""
+
+    kind: Any
+
+    def __get_pydantic_core_schema__(self, _: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Describe the array as what it is sent as."""
+        return handler.generate_schema(self.kind)
+
+
+Values = Annotated[Array, SentAs(list[float])]
+"""Numbers that are all defined."""
+
+Gaps = Annotated[Array, SentAs(list[float | None])]
+"""Numbers of which NaN stands for undefined ones, null in JSON."""
+
+Grid = Annotated[Array, SentAs(list[list[float | None]])]
+"""Rows of numbers; NaN is null in JSON."""
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """An answer in columns, for CSV.
+
+    Attributes
+    ----------
+    columns
+        What stands below each header: arrays of numbers, or lists of words and numbers.
+    filename
+        Name for the file.
+    """
+
+    columns: Mapping[str, Array | Sequence[Any]]
+    filename: str = "fresnel.csv"
+
+
+def number_or_none(value: Array | float) -> float | None:
+    """Turn a zero-dimensional array into a float, NaN into None."""
+    number = float(value)
+    return None if np.isnan(number) else number

@@ -1,0 +1,147 @@
+"""Reflectance over the angle of incidence, of any models."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from app.answers.answer import Gaps, Table, Values, answer
+from app.answers.interface import CONVENTION, InterfaceFacts
+from app.optics.amplitudes import amplitudes, phase_deg, power
+from app.optics.angles import LANDMARKS
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.registry import Model
+from app.optics.snell import penetration_depth_wavelengths, refraction_angle_deg
+
+COLORS = ("R_red", "R_green", "R_blue")
+"""Quantities of a model that is given a color."""
+
+
+@dataclass(frozen=True, slots=True)
+class Chosen:
+    """A model that was asked for, with what was given for its own parameters."""
+
+    model: Model
+    given: Mapping[str, ArrayLike | None]
+
+    def arguments(self, interface: Interface) -> dict[str, Array]:
+        """Values of all its parameters at an interface."""
+        return self.model.arguments(interface, **self.given)
+
+
+@answer
+class Curve:
+    """One quantity of one model over the angles."""
+
+    model: str
+    quantity: str
+    values: Gaps
+    """Null where the model is undefined."""
+    in_domain: bool
+    reason: str | None
+    """Why the interface is outside the model's domain."""
+
+
+@answer
+class Curves:
+    """Curves over the angle of incidence."""
+
+    interface: InterfaceFacts
+    convention: str
+    theta_i_deg: Values
+    curves: list[Curve]
+
+    def table(self) -> Table:
+        """Lay out a column each curve."""
+        curves = {f"{curve.model}.{curve.quantity}": curve.values for curve in self.curves}
+        return Table({"theta_i_deg": self.theta_i_deg} | curves)
+
+
+def curves(
+    interface: Interface,
+    models: Sequence[Chosen],
+    *,
+    samples: int = 181,
+    landmarks: bool = False,
+    phase: bool = False,
+    refraction: bool = False,
+) -> Curves:
+    """Evaluate models over the angle of incidence.
+
+    Parameters
+    ----------
+    interface
+        The boundary, one of plain numbers.
+    models
+        What to evaluate; `exact` has more quantities than R.
+    samples, landmarks
+        The angles, as `sampled_incidence` takes them.
+    phase, refraction
+        Whether to add the phases of `exact`, and the angle and depth of its refracted wave.
+    """
+    incidence = sampled_incidence(interface, samples, landmarks)
+    found: list[Curve] = []
+    for chosen in models:
+        model = chosen.model
+        reason = model.reason_outside(interface)
+        if model.id == "exact":
+            quantities = list(_exact(interface, incidence, phase, refraction))
+        else:
+            values = np.atleast_2d(model(interface, incidence, **chosen.given))
+            names = COLORS if len(values) > 1 else ("R",)
+            quantities = list(zip(names, map(np.ascontiguousarray, values), strict=True))
+        found += [
+            Curve(
+                model=model.id,
+                quantity=quantity,
+                values=values,
+                in_domain=reason is None,
+                reason=reason,
+            )
+            for quantity, values in quantities
+        ]
+    return Curves(
+        interface=InterfaceFacts.of(interface),
+        convention=CONVENTION,
+        theta_i_deg=incidence.theta_i_deg,
+        curves=found,
+    )
+
+
+def sampled_incidence(interface: Interface, samples: int, landmarks: bool) -> Incidence:
+    """Equally spaced angles from 0 to 90 degrees, with the landmarks sorted in if asked for."""
+    equally_spaced = _equally_spaced(samples)
+    if not landmarks:
+        return equally_spaced
+    marks = np.array([float(angle(interface)) for angle in LANDMARKS.values()])
+    marks = marks[np.isfinite(marks)]
+    return Incidence.from_degrees(np.unique(np.concatenate([equally_spaced.theta_i_deg, marks])))
+
+
+@lru_cache(maxsize=8)  # a reader's page asks for the same angles again and again
+def _equally_spaced(samples: int) -> Incidence:
+    return Incidence.from_degrees(np.linspace(0.0, 90.0, samples))
+
+
+def _exact(
+    interface: Interface, incidence: Incidence, phase: bool, refraction: bool
+) -> Iterator[tuple[str, Array]]:
+    """Yield the quantities that only the exact solution has, R first."""
+    energy = power(interface, incidence)
+    yield "R", energy.R
+    yield "Rs", energy.Rs
+    yield "Rp", energy.Rp
+    yield "T", energy.T
+    if phase:
+        amplitude = amplitudes(interface, incidence)
+        yield "phase_s_deg", phase_deg(amplitude.r_s)
+        yield "phase_p_deg", phase_deg(amplitude.r_p)
+    if refraction:
+        yield "theta_t_deg", refraction_angle_deg(interface, incidence)
+        yield "penetration_depth_wavelengths", penetration_depth_wavelengths(interface, incidence)
