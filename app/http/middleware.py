@@ -12,7 +12,7 @@ from starlette.responses import Response
 from starlette.routing import Match, Mount
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.http.problems import EXPOSED_HEADERS, problem_response
+from app.http.problems import EXPOSED_HEADERS, MEDIA_TYPE, problem_response
 
 
 class Fallback(Mount):
@@ -108,8 +108,8 @@ class _Refusal(Response):
 class CommonHeaders:
     """ASGI middleware that adds what every answer carries.
 
-    Nosniff on all; on the API that any page of any origin may read it; on documents the policy that
-    `documents` gives for a query.
+    Nosniff on all; on the API and on problems that any page of any origin may read them; on documents
+    the policy that `documents` gives for a query.
 
     Parameters
     ----------
@@ -148,12 +148,15 @@ class CommonHeaders:
         async def send_with_headers(message: Message) -> None:
             if message["type"] == "http.response.start":
                 given = message.get("headers", ())
-                more = [*_ON_ALL, *(_ON_API if is_api else ())]
-                if any(n == b"content-type" and v.startswith(b"text/html") for n, v in given):
-                    present = {name for name, _ in given}
-                    documents = self._documents(scope["query_string"]).items()
-                    named = ((n.lower().encode(), v.encode()) for n, v in documents)
-                    more += [(name, value) for name, value in named if name not in present]
+                named = dict(given)
+                kind = named.get(b"content-type", b"")
+                added = dict(_ON_ALL)
+                if is_api or kind == _PROBLEM:
+                    added |= _ON_API
+                if kind.startswith(b"text/html"):
+                    documents = self._documents(scope["query_string"])
+                    added |= {n.lower().encode(): v.encode() for n, v in documents.items()}
+                more = [(name, value) for name, value in added.items() if name not in named]
                 message = {**message, "headers": [*given, *more]}
             await send(message)
 
@@ -163,10 +166,12 @@ class CommonHeaders:
             await self.app(scope, receive, send_with_headers)
 
 
-_ON_ALL = ((b"x-content-type-options", b"nosniff"),)
+_PROBLEM = MEDIA_TYPE.encode()
+
+_ON_ALL = {b"x-content-type-options": b"nosniff"}
 
 # Sent to everybody: a cache would hand an answer without them to a page of another origin.
-_ON_API = (
-    (b"access-control-allow-origin", b"*"),
-    (b"access-control-expose-headers", ", ".join(EXPOSED_HEADERS).encode()),
-)
+_ON_API = {
+    b"access-control-allow-origin": b"*",
+    b"access-control-expose-headers": ", ".join(EXPOSED_HEADERS).encode(),
+}

@@ -55,7 +55,7 @@ def test_a_page_elsewhere_can_read_that_the_server_failed() -> None:
 def test_openapi_tells_of_csv(app: FastAPI) -> None:
     content = app.openapi()["paths"]["/api/v1/curves"]["get"]["responses"]["200"]["content"]
     assert set(content) == {"application/json", "text/csv"}
-    assert content["application/json"]["schema"] == {"$ref": "#/components/schemas/CurvesOut"}
+    assert content["application/json"]["schema"] == {"$ref": "#/components/schemas/Curves"}
 
 
 @pytest.mark.parametrize("name", ["material", "incident"])
