@@ -50,6 +50,40 @@ export function createChoice({ legend, items, several = false, listed = false, o
 }
 
 /**
+ * Choices that stand for fields of the state: one of few words each.
+ * @template {string} Name
+ * @param {Pick<Actions, 'set'>} actions
+ * @param {Record<Name, readonly [legend: string, words: Record<string, string | readonly [label: string, note: string]>]>} fields
+ *   by the field's name the choice's own, and the word, or the word and what it means, for each value
+ */
+export function createChoices(actions, fields) {
+  const names = /** @type {Name[]} */ (Object.keys(fields));
+  const made = names.map((name) => {
+    const [legend, words] = fields[name];
+    const items = Object.entries(words).map(([value, word]) =>
+      typeof word === "string" ? { value, label: word } : { value, label: word[0], note: word[1] },
+    );
+    const choice = createChoice({
+      legend,
+      items,
+      onChange: ([value]) => actions.set({ [name]: value }),
+    });
+    return { name, choice };
+  });
+  return {
+    elements: /** @type {Record<Name, HTMLElement>} */ (
+      /** @type {unknown} */ (
+        Object.fromEntries(made.map(({ name, choice }) => [name, choice.element]))
+      )
+    ),
+    /** @param {State} state */
+    update(state) {
+      for (const { name, choice } of made) choice.update([state[name]]);
+    },
+  };
+}
+
+/**
  * @typedef {{name: string, symbol: string, row: {element: HTMLElement}, print: () => string}} Page
  * @param {object} options
  * @param {Page[]} options.pages

@@ -4,9 +4,9 @@ import { locate, read } from "../curves/reading.js";
 import { axesOf } from "../curves/traces.js";
 import { wavelengthColor, wavelengthDash, wavelengthProperty } from "../media/wavelength-color.js";
 import { inDegrees, inUnit, plain } from "../numbers/format.js";
-import { h, setText } from "../page/dom.js";
+import { h } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
-import { LinkError } from "../state/state.js";
+import { createBox } from "./box.js";
 import { SHIRLEY_NM, wavelengths } from "./fields.js";
 import { createPanel } from "./panel.js";
 
@@ -15,38 +15,50 @@ export function angleAxis({ angle }) {
   return axesOf({ angle, show: [], polarization: "unpolarized", models: [], marks: false }).x;
 }
 
+/** What an answer's angles are on that axis. @param {{theta_i_deg: number[]}} answer @param {State} state */
+export const anglesOf = ({ theta_i_deg }, { angle }) => theta_i_deg.map((d) => inUnit(d, angle));
+
 /**
- * @param {object} options
- * @param {HTMLElement} options.parent in the document
- * @param {Actions} options.actions
- * @param {(name: string, blob: Blob) => void} options.save
+ * A plot over the angle of incidence, which is read where the page's angle is and sets it.
+ * @param {import('./panel.js').FigureContext} context
+ * @param {HTMLElement} frame
+ * @param {{name: string, names?: number}} options
  */
-export function createAngles({ parent, actions, save }) {
-  const field = wavelengths();
-  const wrong = h("p", { class: "row-error", id: "nm-error", role: "alert" });
-  const box = h("input", {
-    class: "box nm",
-    type: "text",
+export function createAnglePlot({ actions, now }, frame, options) {
+  const plot = createPlot(frame, {
+    ...options,
+    x: angleAxis({ angle: "deg" }),
+    y: { title: "reflectance", range: [0, 1] },
+    onPick(x, { settled }) {
+      const deg = inDegrees(x, now().angle);
+      actions.set({ theta_i_deg: Number(deg.toFixed(2)) }, { history: "replace" });
+      if (settled) actions.settle();
+    },
+  });
+  return {
+    ...plot,
+    /** @param {readonly Trace[]} traces */
+    mark(traces) {
+      const { theta_i_deg, angle } = now();
+      const at = inUnit(theta_i_deg, angle);
+      plot.marker(
+        at,
+        traces.map((t) => ({ id: t.id, y: read(t.y, locate(t.x, at)) })),
+      );
+    },
+  };
+}
+
+/** @param {import('./panel.js').FigureContext} context */
+export function createAngles(context) {
+  const { actions } = context;
+  const box = createBox({
     id: "nm",
-    autocomplete: "off",
-    spellcheck: "false",
-    "aria-describedby": "nm-error",
+    parse: wavelengths().parse,
+    onValue: (nm) => actions.set({ nm }),
   });
-  box.addEventListener("change", () => {
-    const text = box.value.trim();
-    try {
-      setText(wrong, "");
-      actions.set({ nm: text === "" ? null : field.parse(text) });
-    } catch (problem) {
-      if (!(problem instanceof LinkError)) throw problem;
-      setText(wrong, `“${text}”: ${problem.message}.`);
-    }
-  });
-  const host = h("div", { class: "frame" });
-  /** @type {State | null} */
-  let now = null;
-  const panel = createPanel({
-    parent,
+  const frame = h("div", { class: "frame" });
+  const panel = createPanel(context, {
     title: "Over the angle, at wavelengths",
     name: "angles",
     controls: [
@@ -54,7 +66,7 @@ export function createAngles({ parent, actions, save }) {
         "span",
         { class: "nm-row" },
         h("label", { for: "nm" }, "at λ ="),
-        box,
+        box.input,
         h("span", { class: "unit" }, "nm"),
         h(
           "button",
@@ -67,25 +79,16 @@ export function createAngles({ parent, actions, save }) {
           "400 … 800",
         ),
       ),
-      wrong,
+      box.error,
     ],
-    hosts: [h("div", { class: "plot-host" }, host)],
+    frames: [h("div", { class: "plot-host" }, frame)],
     figures: () => [plot],
-    filename: () => `${now?.preset ?? "material"}-R-theta`,
+    what: () => "R-theta",
     call: "rgb=false",
-    presets: () => (now ? [now.preset] : []),
-    save,
   });
-  const plot = createPlot(host, {
+  const plot = createAnglePlot(context, frame, {
     name: "Reflectance over the angle at several wavelengths",
-    x: angleAxis({ angle: "deg" }),
-    y: { title: "reflectance", range: [0, 1] },
     names: 6,
-    onPick(x, { settled }) {
-      const deg = inDegrees(x, now?.angle ?? "deg");
-      actions.set({ theta_i_deg: Number(deg.toFixed(2)) }, { history: "replace" });
-      if (settled) actions.settle();
-    },
   });
   let drawn = "";
   /** @type {any} */
@@ -95,29 +98,24 @@ export function createAngles({ parent, actions, save }) {
 
   function colors() {
     const dark = document.documentElement.dataset.theme === "dark";
-    for (const { wavelength_nm } of source?.wavelengths ?? [])
-      panel.element.style.setProperty(
-        wavelengthProperty(wavelength_nm),
-        wavelengthColor(wavelength_nm, dark),
-      );
+    for (const { wavelength_nm: nm } of source?.wavelengths ?? [])
+      panel.element.style.setProperty(wavelengthProperty(nm), wavelengthColor(nm, dark));
   }
 
   return {
-    panel,
+    ...panel,
     /** @param {State} state @param {any} answer */
     update(state, answer) {
-      now = state;
-      if (document.activeElement !== box) {
-        const shown =
-          state.nm ??
-          (answer ? answer.wavelengths.map((/** @type {any} */ w) => w.wavelength_nm) : SHIRLEY_NM);
-        box.value = shown.map((/** @type {number} */ v) => plain(v, 8)).join(", ");
-      }
+      const shown =
+        state.nm ??
+        answer?.wavelengths.map((/** @type {any} */ w) => w.wavelength_nm) ??
+        SHIRLEY_NM;
+      box.update(shown.map((/** @type {number} */ v) => plain(v, 8)).join(", "));
       if (answer?.material.id !== state.preset) return;
       if (answer !== source || drawn !== state.angle) {
         source = answer;
         drawn = state.angle;
-        const x = answer.theta_i_deg.map((/** @type {number} */ d) => inUnit(d, state.angle));
+        const x = anglesOf(answer, state);
         traces = answer.wavelengths.map(
           (/** @type {any} */ { wavelength_nm, R }, /** @type {number} */ index) => ({
             id: `R_${wavelength_nm}nm`,
@@ -135,18 +133,13 @@ export function createAngles({ parent, actions, save }) {
           x: angleAxis(state),
         });
         void plot.draw(traces);
-        panel.fill();
+        panel.filled("");
       }
-      const at = inUnit(state.theta_i_deg, state.angle);
-      plot.marker(
-        at,
-        traces.map((t) => ({ id: t.id, y: read(t.y, locate(t.x, at)) })),
-      );
+      plot.mark(traces);
     },
     theme() {
       colors();
-      plot.theme();
+      panel.theme();
     },
-    destroy: () => plot.destroy(),
   };
 }

@@ -1,11 +1,8 @@
 /** The catalog: a search, two filters, the table of what they leave. */
 
-import { h, setText } from "../page/dom.js";
+import { h } from "../page/dom.js";
+import { html, render } from "../page/lit.js";
 import { createPresetTable } from "./table.js";
-
-/**
- * @typedef {import('./columns.js').Preset} Preset
- */
 
 const PAUSE = 600; // ms after which what was typed stands
 
@@ -15,16 +12,12 @@ export const POLICIES = {
   clamped: "each channel cut to 0 and 1",
   unclamped: "as it is",
 };
+const KINDS = { all: "spectra and indices", spectrum: "spectra", single: "single indices" };
 
 /** @param {string} text */
 const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
-/**
- * @param {object} options
- * @param {Catalog} options.catalog
- * @param {Actions} options.actions
- * @param {(id: string, moving: boolean) => void} options.onPick
- */
+/** @param {Pick<ViewContext, 'catalog' | 'actions'> & {onPick: (id: string, moving: boolean) => void}} options */
 export function createBrowser({ catalog, actions, onPick }) {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let pause;
@@ -52,89 +45,34 @@ export function createBrowser({ catalog, actions, onPick }) {
       table.enter();
     } else if (event.key === "Enter") table.first();
   });
-
-  const category = h("select", {
-    class: "preset",
-    "aria-label": "Category",
-    onchange: () => actions.set({ category: category.value }),
-  });
-  const kind = h(
-    "select",
-    {
-      class: "preset",
-      "aria-label": "Kind of data",
-      onchange: () => actions.set({ of_kind: kind.value }),
-    },
-    h("option", { value: "all" }, "spectra and indices"),
-    h("option", { value: "spectrum" }, "spectra"),
-    h("option", { value: "single" }, "single indices"),
-  );
-  const count = h("p", { class: "count", role: "status" });
-  const suggestions = h("p", { class: "suggestions" });
-  const policy = h("p", { class: "hint" });
-
   const table = createPresetTable({
     onPick,
     onSettle: actions.settle,
     onSort: (list_by, list_order) => actions.set({ list_by, list_order }),
     onLeave: () => search.focus(),
   });
+  const element = h("section", { class: "browser", "aria-label": "Catalog" });
 
-  const element = h(
-    "section",
-    { class: "browser", "aria-label": "Catalog" },
-    h(
-      "div",
-      { class: "browser-head" },
-      h("label", { class: "search-label", for: "find" }, h("h2", {}, "Catalog")),
-      search,
-      h("span", { class: "picker" }, category),
-      h("span", { class: "picker" }, kind),
-      count,
-    ),
-    suggestions,
-    table.element,
-    policy,
-  );
+  /** @param {string} label @param {string} name of the state's field @param {Record<string, string>} words @param {State} state */
+  const picker = (label, name, words, state) => html`<span class="picker">
+      <select class="preset" aria-label=${label}
+        @change=${(/** @type {any} */ { target }) => actions.set({ [name]: target.value })}>
+        ${Object.entries(words).map(([value, word]) => html`<option value=${value} .selected=${value === state[name]}>${word}</option>`)}
+      </select>
+    </span>`;
 
-  /** @param {Record<string, number>} categories */
-  function fillCategories(categories) {
-    if (category.options.length) return;
-    const all = Object.values(categories).reduce((a, b) => a + b, 0);
-    category.append(
-      h("option", { value: "all" }, `all categories (${all})`),
-      ...Object.entries(categories).map(([name, number]) =>
-        h("option", { value: name }, `${capital(name)} (${number})`),
-      ),
-    );
-  }
-
-  let suggested = "";
-  /** A button that is being pressed stays the same. @param {string} find @param {string[]} ids */
-  function suggest(find, ids) {
-    const asked = JSON.stringify([find, ids]);
-    if (asked === suggested) return;
-    suggested = asked;
-    suggestions.replaceChildren(
-      `Nothing is called “${find.trim()}”.`,
-      ...(ids.length ? [" Did you mean "] : []),
-      ...ids.flatMap((id, index) => {
-        const preset = catalog.materials.find((m) => m.id === id);
-        const button = h(
-          "button",
-          {
-            type: "button",
-            class: "suggestion",
-            onclick: () => {
-              onPick(id, false);
-              actions.set({ find: preset?.name ?? id });
-            },
-          },
-          preset?.name ?? id,
-        );
-        return [button, index + 1 < ids.length ? ", " : "?"];
-      }),
-    );
+  /** @param {string} find @param {string[]} ids */
+  function suggested(find, ids) {
+    const buttons = ids.map((id, index) => {
+      const name = catalog.materials.find((m) => m.id === id)?.name ?? id;
+      const take = () => {
+        onPick(id, false);
+        actions.set({ find: name });
+      };
+      return html`${index ? ", " : " Did you mean "}<button type="button" class="suggestion"
+        @click=${take}>${name}</button>`;
+    });
+    return html`Nothing is called “${find.trim()}”.${buttons}${ids.length ? "?" : ""}`;
   }
 
   return {
@@ -143,24 +81,32 @@ export function createBrowser({ catalog, actions, onPick }) {
     update(state, answer) {
       if (document.activeElement !== search && search.value !== state.find)
         search.value = state.find;
-      if (!answer) return;
-      fillCategories(answer.categories);
-      category.value = state.category;
-      kind.value = state.of_kind;
-      /** @type {Preset[]} */
-      const presets = answer.materials;
-      const all = Object.values(/** @type {Record<string, number>} */ (answer.categories));
-      const whole = all.reduce((a, b) => a + b, 0);
-      setText(
-        count,
-        presets.length === whole ? `${whole} presets` : `${presets.length} of ${whole}`,
-      );
-      suggestions.hidden = presets.length > 0;
-      table.element.hidden = presets.length === 0;
-      if (presets.length === 0) suggest(state.find, answer.suggestions);
-      table.update(presets, state.list_by, state.list_order, state.preset);
+      /** @type {import('./columns.js').Preset[]} */
+      const presets = answer?.materials ?? [];
+      /** @type {[string, number][]} */
+      const categories = Object.entries(answer?.categories ?? {});
+      const all = categories.reduce((sum, [, many]) => sum + many, 0);
+      const count = presets.length === all ? `${all} presets` : `${presets.length} of ${all}`;
+      const none = Boolean(answer) && presets.length === 0;
       const gamut = presets[0]?.swatch.gamut ?? "scaled";
-      setText(policy, `Swatches: F₀ as sRGB under D65, ${gamut}: ${POLICIES[gamut]}.`);
+      table.element.hidden = none;
+      if (answer) table.update(presets, state.list_by, state.list_order, state.preset);
+      const names = {
+        all: `all categories (${all})`,
+        ...Object.fromEntries(categories.map(([name, n]) => [name, `${capital(name)} (${n})`])),
+      };
+      render(
+        html`<div class="browser-head">
+            <label class="search-label" for="find"><h2>Catalog</h2></label>
+            ${search} ${picker("Category", "category", answer ? names : {}, state)}
+            ${picker("Kind of data", "of_kind", KINDS, state)}
+            <p class="count" role="status">${answer ? count : ""}</p>
+          </div>
+          <p class="suggestions" ?hidden=${!none}>${none ? suggested(state.find, answer.suggestions) : ""}</p>
+          ${table.element}
+          <p class="hint">${answer ? `Swatches: F₀ as sRGB under D65, ${gamut}: ${POLICIES[gamut]}.` : ""}</p>`,
+        element,
+      );
     },
   };
 }

@@ -3,11 +3,10 @@
  * against the spectrum integrated at every angle.
  */
 
-import { locate, read } from "../curves/reading.js";
-import { inDegrees, inUnit, plain, significant } from "../numbers/format.js";
+import { plain, significant } from "../numbers/format.js";
 import { h } from "../page/dom.js";
-import { createPlot } from "../plot/plot.js";
-import { angleAxis } from "./angles.js";
+import { html, render } from "../page/lit.js";
+import { angleAxis, anglesOf, createAnglePlot } from "./angles.js";
 import { createPanel } from "./panel.js";
 import { presetOf } from "./queries.js";
 
@@ -16,6 +15,7 @@ const CHANNELS = /** @type {const} */ ([
   ["green", "G", "--green"],
   ["blue", "B", "--blue"],
 ]);
+const HEADINGS = ["largest error against the spectrum", "red", "green", "blue"];
 /** @type {Record<string, string>} */
 const TITLES = {
   schlick: "Schlick from RGB F₀",
@@ -23,97 +23,75 @@ const TITLES = {
   exact: "exact from n, k averaged",
 };
 
-/**
- * @param {object} options
- * @param {HTMLElement} options.parent in the document
- * @param {Catalog} options.catalog
- * @param {Actions} options.actions
- * @param {(name: string, blob: Blob) => void} options.save
- */
-export function createColors({ parent, catalog, actions, save }) {
-  /** @type {State | null} */
-  let now = null;
-  const headings = [h("h3", {}), h("h3", {})];
-  const frames = [h("div", { class: "frame" }), h("div", { class: "frame" })];
-  const errors = h("tbody", {});
-  const errorTable = h(
-    "table",
-    { class: "rivals color-errors" },
-    h("caption", { class: "hidden" }, "Largest errors against the spectrum"),
-    h(
-      "thead",
-      {},
-      h(
-        "tr",
-        {},
-        ...["largest error against the spectrum", "red", "green", "blue"].map((t) =>
-          h("th", { scope: "col" }, t),
-        ),
-      ),
-    ),
-    errors,
+/** The curves of a model in R, G and B. @param {any} colors @param {string} model */
+const curvesOf = (colors, model) =>
+  colors.rgb.curves.find((/** @type {any} */ c) => c.model === model);
+
+/** @param {any} colors @param {string} model @param {number[]} x @param {Partial<Trace> & {of?: string, bare?: boolean}} look @returns {Trace[]} */
+function channels(colors, model, x, { of, ...look }) {
+  const found = curvesOf(colors, model);
+  if (!found) return [];
+  return CHANNELS.map(([key, letter, color]) => ({
+    id: `${model}.R_${key}`,
+    label: of ? `${letter}, ${of}` : letter,
+    x,
+    y: found[`R_${key}`],
+    color,
+    width: 2.2,
+    ...look,
+  }));
+}
+
+/** @param {any} colors @param {string} model @param {string} title */
+function errorRow(colors, model, title) {
+  const found = curvesOf(colors, model);
+  if (!found?.errors) return null;
+  const cells = CHANNELS.map(([key]) => {
+    const { error_at_max, max_abs_at_deg } = found.errors[key];
+    if (error_at_max === null) return "undefined";
+    return `${significant(error_at_max, 2)} at ${max_abs_at_deg.toFixed(0)}°`;
+  });
+  return html`<tr><th scope="row">${title}</th>${cells.map((cell) => html`<td>${cell}</td>`)}</tr>`;
+}
+
+/** @param {any} colors null where one index is all that is known */
+const errorTable = (
+  colors,
+) => html`<div class="rival-scroll" tabindex="0" role="region" aria-label="Largest errors">
+  <table class="rivals color-errors" ?hidden=${!colors}>
+    <caption class="hidden">Largest errors against the spectrum</caption>
+    <thead><tr>${HEADINGS.map((words) => html`<th scope="col">${words}</th>`)}</tr></thead>
+    <tbody>${colors && Object.entries(TITLES).map(([model, title]) => errorRow(colors, model, title))}</tbody>
+  </table>
+</div>`;
+
+/** @param {import('./panel.js').FigureContext} context */
+export function createColors(context) {
+  const headings = [h("h3", {}), h("h3", {}, "Three: F₀ in R, G and B")];
+  const frames = headings.map(() => h("div", { class: "frame" }));
+  const halves = frames.map((frame, i) =>
+    h("div", { class: "half" }, headings[i], h("div", { class: "plot-host" }, frame)),
   );
-  const panel = createPanel({
-    parent,
+  const panel = createPanel(context, {
     title: "Two Schlicks against the spectrum",
     name: "two-schlicks",
-    hosts: frames.map((frame, i) =>
-      h("div", { class: "half" }, headings[i], h("div", { class: "plot-host" }, frame)),
-    ),
+    frames: halves,
     figures: () => plots.filter((_, i) => traces[i]?.length),
-    filename: () => `${now?.preset ?? "material"}-schlick`,
+    what: () => "schlick",
     call: "curves?models=",
-    presets: () => (now ? [now.preset] : []),
-    save,
   });
-  panel.element.append(
-    h(
-      "div",
-      { class: "rival-scroll", tabindex: "0", role: "region", "aria-label": "Largest errors" },
-      errorTable,
-    ),
-  );
-  /** @param {number} x @param {{settled: boolean}} how */
-  const onPick = (x, { settled }) => {
-    const deg = inDegrees(x, now?.angle ?? "deg");
-    actions.set({ theta_i_deg: Number(deg.toFixed(2)) }, { history: "replace" });
-    if (settled) actions.settle();
-  };
-  const plots = frames.map((frame) =>
-    createPlot(frame, {
-      name: "Reflectance",
-      x: angleAxis({ angle: "deg" }),
-      y: { title: "reflectance", range: [0, 1] },
-      onPick,
-    }),
-  );
+  const plots = frames.map((frame) => createAnglePlot(context, frame, { name: "Reflectance" }));
   /** @type {unknown[]} */
   let drawn = [];
   /** @type {Trace[][]} */
   let traces = [[], []];
-
-  /** @param {any} colors @param {string} model @param {number[]} x @param {{dash: string, width: number, of: string, bare: boolean}} how @returns {Trace[]} */
-  function channels(colors, model, x, { dash, width, of, bare }) {
-    const found = colors?.rgb?.curves.find((/** @type {any} */ c) => c.model === model);
-    if (!found) return [];
-    return CHANNELS.map(([key, letter, color]) => ({
-      id: `${model}.R_${key}`,
-      label: of ? `${letter}, ${of}` : letter,
-      bare,
-      x,
-      y: found[`R_${key}`],
-      color,
-      dash,
-      width,
-    }));
-  }
+  render(errorTable(null), panel.element);
 
   return {
-    panel,
+    ...panel,
     /** @param {State} state @param {Record<string, any>} answers */
     update(state, answers) {
-      now = state;
-      const preset = presetOf(catalog, state.preset);
+      const preset = presetOf(context.catalog, state.preset);
       const spectral = preset?.kind === "spectrum";
       const colors =
         spectral && answers.colors?.material.id === state.preset ? answers.colors : null;
@@ -124,12 +102,8 @@ export function createColors({ parent, catalog, actions, save }) {
         drawn = sources;
         draw(state, preset, index, colors);
       }
-      const at = inUnit(state.theta_i_deg, state.angle);
       plots.forEach((plot, i) => {
-        plot.marker(
-          at,
-          (traces[i] ?? []).map((t) => ({ id: t.id, y: read(t.y, locate(t.x, at)) })),
-        );
+        plot.mark(traces[i] ?? []);
       });
     },
     theme() {
@@ -142,20 +116,15 @@ export function createColors({ parent, catalog, actions, save }) {
 
   /** @param {State} state @param {Material} preset @param {any} index @param {any} colors */
   function draw(state, preset, index, colors) {
-    /** @param {{theta_i_deg: number[]}} answer */
-    const xOf = (answer) => answer.theta_i_deg.map((d) => inUnit(d, state.angle));
+    const x = anglesOf(index, state);
+    const colored = colors && anglesOf(colors, state);
     /** @param {string} model */
     const curve = (model) =>
       index.curves.find((/** @type {any} */ c) => c.model === model && c.quantity === "R")
         ?.values ?? [];
-    const x = xOf(index);
+    /** @type {Trace[]} */
     const truth = colors
-      ? channels(colors, "spectral", xOf(colors), {
-          dash: "solid",
-          width: 2.2,
-          of: "",
-          bare: false,
-        })
+      ? channels(colors, "spectral", colored, { dash: "solid" })
       : [
           {
             id: "exact",
@@ -176,72 +145,32 @@ export function createColors({ parent, catalog, actions, save }) {
       dash: "dash",
       width: 2.2,
     };
-    traces = [
-      [...truth, single],
-      colors
-        ? [
-            ...truth,
-            ...channels(colors, "schlick", xOf(colors), {
-              dash: "dash",
-              width: 2.2,
-              of: "Schlick",
-              bare: true,
-            }),
-          ]
-        : [],
-    ];
+    const three =
+      colors && channels(colors, "schlick", colored, { dash: "dash", of: "Schlick", bare: true });
+    traces = [[...truth, single], colors ? [...truth, ...three] : []];
+    const n = `n = ${plain(preset.n, 6)}`;
     const at = preset.wavelength_nm ? ` at ${plain(preset.wavelength_nm)} nm` : "";
-    headings[0]?.replaceChildren(`One float: n = ${plain(preset.n, 6)}${at}`);
-    headings[1]?.replaceChildren("Three: F₀ in R, G and B");
-    const half = frames[1]?.closest(".half");
-    if (half instanceof HTMLElement) half.hidden = !colors;
+    headings[0]?.replaceChildren(`One float: ${n}${at}`);
+    halves[1]?.toggleAttribute("hidden", !colors);
     const names = [
-      `Schlick from n = ${plain(preset.n, 6)} against ${colors ? "the spectrum's R, G and B" : "exact"}: ${preset.name}`,
+      `Schlick from ${n} against ${colors ? "the spectrum's R, G and B" : "exact"}: ${preset.name}`,
       `Schlick from RGB F0 against the spectrum's R, G and B: ${preset.name}`,
     ];
-    const least = Math.min(1, ...traces.flat().flatMap((t) => t.y.filter((v) => v !== null)));
-    const most = Math.max(1, ...traces.flat().flatMap((t) => t.y.filter((v) => v !== null)));
-    const range = [Math.min(0, Math.floor(10 * least) / 10), Math.ceil(10 * most - 1e-6) / 10];
+    const values = traces.flat().flatMap((t) => t.y.filter((v) => v !== null));
+    const least = Math.min(0, Math.floor(10 * Math.min(1, ...values)) / 10);
+    const most = Math.ceil(10 * Math.max(1, ...values) - 1e-6) / 10;
     plots.forEach((plot, i) => {
       plot.axes({
         name: names[i] ?? "",
         x: angleAxis(state),
-        y: { title: "reflectance", range, labels: 24 },
+        y: { title: "reflectance", range: [least, most], labels: 24 },
       });
       if (traces[i]?.length) void plot.draw(traces[i] ?? []);
     });
-    panel.fill();
-    errorTable.hidden = !colors;
-    if (colors)
-      errors.replaceChildren(
-        ...Object.entries(TITLES).flatMap(([model, title]) => {
-          const found = colors.rgb.curves.find((/** @type {any} */ c) => c.model === model);
-          if (!found?.errors) return [];
-          return [
-            h(
-              "tr",
-              {},
-              h("th", { scope: "row" }, title),
-              ...CHANNELS.map(([key]) => {
-                const { error_at_max, max_abs_at_deg } = found.errors[key];
-                return h(
-                  "td",
-                  {},
-                  error_at_max === null
-                    ? "undefined"
-                    : `${significant(error_at_max, 2)} at ${max_abs_at_deg.toFixed(0)}°`,
-                );
-              }),
-            ),
-          ];
-        }),
-      );
-    const policy = colors
-      ? ` F₀ is ${colors.rgb.gamut}, ${colors.rgb.illuminant}; no curve is clamped.`
-      : "";
-    panel.note(
+    render(errorTable(colors), panel.element);
+    panel.filled(
       colors
-        ? `Solid: the spectrum, integrated at every angle, as R, G and B. Dashed: what a shader makes of one index, left, or of a color, right.${policy}`
+        ? `Solid: the spectrum, integrated at every angle, as R, G and B. Dashed: what a shader makes of one index, left, or of a color, right. F₀ is ${colors.rgb.gamut}, ${colors.rgb.illuminant}; no curve is clamped.`
         : "A single index reflects all wavelengths alike: one float says all that is known.",
     );
   }

@@ -1,7 +1,9 @@
 /** The name of the chosen preset, what it is, and where to go with it. */
 
 import { stretch } from "../numbers/format.js";
-import { h, setText } from "../page/dom.js";
+import { h } from "../page/dom.js";
+import { addressOf, clicked } from "../page/links.js";
+import { html, render } from "../page/lit.js";
 
 /** Views whose second medium a material can be. */
 const TARGETS = ["explore", "compare", "albedo", "preview"];
@@ -16,47 +18,17 @@ const SAMPLES = {
 /** @type {Record<string, string>} */
 const AXES = { o: "ordinary ray", e: "extraordinary ray" };
 
-/**
- * @param {object} options
- * @param {readonly {id: string, title: string}[]} options.views
- * @param {Pick<Actions, 'set'>} options.actions
- */
+/** @param {Pick<ViewContext, 'views' | 'actions'>} context */
 export function createHead({ views, actions }) {
-  const name = h("h2", { class: "material-name", tabindex: "-1" });
-  const about = h("p", { class: "material-about" });
-  let id = "";
-  /** @type {number | null} */
-  let at_nm = null;
+  const element = h("header", { class: "material-head" });
   const targets = views.filter((view) => TARGETS.includes(view.id));
-  const links = targets.map(({ id: view, title }) => {
-    const link = h("a", { class: "use" }, title);
-    link.addEventListener("click", (event) => {
-      if (event.ctrlKey || event.metaKey || event.shiftKey) return;
-      event.preventDefault();
-      actions.set({ view, material: id, wavelength_nm: at_nm });
-    });
-    return { view, link };
-  });
-  const element = h(
-    "header",
-    { class: "material-head" },
-    h("div", {}, name, about),
-    h(
-      "nav",
-      { class: "uses", "aria-label": "Use this material" },
-      h("span", {}, "use in"),
-      ...links.map((l) => l.link),
-    ),
-  );
   return {
     element,
-    name,
+    focus: () => element.querySelector("h2")?.focus({ preventScroll: true }),
     /** @param {any} detail @param {State} state */
-    update(detail, state) {
-      id = detail.id;
-      at_nm = state.at_nm;
-      setText(name, detail.name);
-      const words = [
+    update(detail, { at_nm }) {
+      const to = { material: detail.id, wavelength_nm: at_nm };
+      const about = [
         detail.category,
         AXES[detail.axis],
         SAMPLES[detail.sample],
@@ -64,12 +36,17 @@ export function createHead({ views, actions }) {
         detail.n_range_nm ? `known ${stretch(detail.n_range_nm)}` : "",
         detail.abbe === null ? "" : `Abbe number ${detail.abbe.toFixed(1)}`,
       ];
-      setText(about, words.filter(Boolean).join(" · "));
-      for (const { view, link } of links) {
-        const at = at_nm === null ? "" : `&wavelength_nm=${at_nm}`;
-        const own = `material=${encodeURIComponent(detail.id)}${at}`;
-        link.href = view === "explore" ? `?${own}` : `?view=${view}&${own}`;
-      }
+      const link = (/** @type {{id: string, title: string}} */ { id, title }) =>
+        html`<a class="use" href=${addressOf(id, to)}
+          @click=${clicked(() => actions.set({ view: id, ...to }))}>${title}</a>`;
+      render(
+        html`<div>
+            <h2 class="material-name" tabindex="-1">${detail.name}</h2>
+            <p class="material-about">${about.filter(Boolean).join(" · ")}</p>
+          </div>
+          <nav class="uses" aria-label="Use this material"><span>use in</span>${targets.map(link)}</nav>`,
+        element,
+      );
     },
   };
 }

@@ -1,12 +1,15 @@
 /** Constants and colors of the chosen preset: shown with six digits, copied in full. */
 
-import { createChoice } from "../controls/panel.js";
+import { createChoices } from "../controls/panel.js";
 import { ExpressionError, evaluate } from "../numbers/entry.js";
-import { plain, significant, six, stretch } from "../numbers/format.js";
+import { plain, six, stretch } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
-import { copyText, flash } from "../page/exports.js";
+import { copying } from "../page/exports.js";
+import { html, render } from "../page/lit.js";
+import { createBox } from "./box.js";
 import { POLICIES } from "./browser.js";
-import { paint } from "./table.js";
+import { told } from "./panel.js";
+import { swatch } from "./table.js";
 
 const CONSTANTS = /** @type {const} */ ([
   ["n", "n"],
@@ -21,214 +24,109 @@ const COLORS = /** @type {const} */ ([
 ]);
 const CHANNELS = ["R", "G", "B"];
 
-/**
- * @param {object} options
- * @param {Pick<Actions, 'set'>} options.actions
- * @param {(text: string) => void} options.say
- */
+/** @param {number | null} v */
+function written(v) {
+  if (v === null) return "not given";
+  return v !== 1 && Math.abs(v - 1) < 0.01 ? plain(v, 9) : six(v);
+}
+
+/** What was done about a color outside sRGB. @param {any} detail */
+function policyOf({ display: { gamut, in_gamut }, color }) {
+  const most = Math.max(...color.F0);
+  if (gamut === "scaled" && most > 1)
+    return `scaled: divided by the largest channel, ${plain(most, 6)}`;
+  return `${gamut}: ${in_gamut ? "within sRGB anyway" : POLICIES[gamut]}`;
+}
+
+/** @param {Pick<ViewContext, 'actions' | 'say'>} context */
 export function createNumbers({ actions, say }) {
-  /** @type {any} */
-  let detail = null;
-
-  /**
-   * @param {string} name that is read out
-   * @param {(detail: any) => number | string | null} value
-   * @param {(value: number | string | null) => string} print
-   */
-  function number(name, value, print) {
-    const button = h("button", { type: "button", class: "number" });
-    button.addEventListener("click", async () => {
-      if (!detail) return;
-      const done = await copyText(String(value(detail) ?? "none"));
-      flash(button, done);
-      say(done ? `${name} copied` : "Copying is not allowed here");
-    });
-    return {
-      button,
-      update() {
-        const text = print(value(detail));
-        setText(button, text);
-        button.toggleAttribute("data-none", value(detail) === null);
-        button.ariaLabel = `${name}: ${text}, copy`;
+  const notes = Object.entries(POLICIES).map(([name, note]) => [name, [name, note]]);
+  const choices = createChoices(actions, {
+    gamut: ["Outside sRGB", Object.fromEntries(notes)],
+    illuminant: [
+      "Light",
+      {
+        D65: ["D65", "daylight, the white of sRGB"],
+        E: ["E", "equal energy, adapted to D65 by Bradford"],
       },
-    };
-  }
-
-  /** @param {number | string | null} v */
-  const written = (v) =>
-    typeof v !== "number"
-      ? (v ?? "not given")
-      : Math.abs(v - 1) < 0.01 && v !== 1
-        ? plain(v, 9)
-        : six(v);
-  const constants = CONSTANTS.map(([name, sign]) => ({
-    sign,
-    cell: number(name, (d) => d.constants[name], written),
-  }));
-  const rows = COLORS.map(([key, sign, note]) => {
-    const cells = CHANNELS.map((channel, i) =>
-      number(
-        `${key} ${channel}`,
-        (d) => d.display[key][i],
-        (v) => significant(Number(v), 6),
-      ),
-    );
-    const all = h("button", { type: "button", class: "quiet copy" }, "copy");
-    all.ariaLabel = `Copy ${key}, three numbers`;
-    all.addEventListener("click", async () => {
-      if (!detail) return;
-      const done = await copyText(detail.display[key].join(", "));
-      flash(all, done);
-      say(done ? `${key} copied` : "Copying is not allowed here");
-    });
-    return {
-      cells,
-      tr: h(
-        "tr",
-        {},
-        h("th", { scope: "row" }, symbol(sign), h("span", { class: "of" }, ` ${note}`)),
-        ...cells.map((c) => h("td", {}, c.button)),
-        h("td", { class: "copy-cell" }, all),
-      ),
-    };
-  });
-  const hex = number(
-    "sRGB",
-    (d) => d.display.hex,
-    (v) => String(v ?? "outside sRGB"),
-  );
-  const swatch = h("span", { class: "swatch large", "aria-hidden": "true" });
-
-  const at = h("input", {
-    class: "box",
-    type: "text",
-    id: "at-nm",
-    autocomplete: "off",
-    spellcheck: "false",
-    "aria-describedby": "at-nm-error",
-  });
-  const wrong = h("p", { class: "row-error", id: "at-nm-error", role: "alert" });
-  const unit = h("span", {}, "nm");
-  at.addEventListener("change", () => {
-    const text = at.value.trim();
-    try {
-      const value = text === "" ? null : evaluate(text);
-      if (value !== null && !(value > 0)) throw new ExpressionError("a wavelength is positive");
-      setText(wrong, "");
-      actions.set({ at_nm: value });
-    } catch (problem) {
-      if (!(problem instanceof ExpressionError)) throw problem;
-      setText(wrong, `λ = “${text}”: ${problem.message}.`);
-    }
-  });
-
-  const gamut = createChoice({
-    legend: "Outside sRGB",
-    items: ["scaled", "clamped", "unclamped"].map((value) => ({
-      value,
-      label: value,
-      note: POLICIES[value],
-    })),
-    onChange: ([value]) => actions.set({ gamut: value }),
-  });
-  const illuminant = createChoice({
-    legend: "Light",
-    items: [
-      { value: "D65", label: "D65", note: "daylight, the white of sRGB" },
-      { value: "E", label: "E", note: "equal energy, adapted to D65 by Bradford" },
     ],
-    onChange: ([value]) => actions.set({ illuminant: value }),
   });
-  const said = h("p", { class: "hint" });
+  const at = createBox({
+    id: "at-nm",
+    name: "λ = ",
+    parse(text) {
+      const value = evaluate(text);
+      if (!(value > 0)) throw new ExpressionError("a wavelength is positive");
+      return value;
+    },
+    onValue: (at_nm) => actions.set({ at_nm }),
+  });
+  const lambda = symbol("\\lambda");
+  const constants = CONSTANTS.map(([name, sign]) => ({ name, sign: symbol(sign) }));
+  const colors = COLORS.map(([name, sign, note]) => ({ name, sign: symbol(sign), note }));
+  const element = h("div", { class: "material-numbers" });
 
-  const element = h(
-    "div",
-    { class: "material-numbers" },
-    h(
-      "section",
-      { class: "constants", "aria-label": "Constants at one wavelength" },
-      h(
-        "div",
-        { class: "at" },
-        h("label", { for: "at-nm" }, h("h2", {}, "At one wavelength")),
-        h("span", { class: "at-box" }, symbol("\\lambda"), at, unit),
-      ),
-      wrong,
-      h(
-        "dl",
-        { class: "numbers" },
-        ...constants.map(({ sign, cell }) =>
-          h("div", {}, h("dt", {}, symbol(sign)), h("dd", {}, cell.button)),
-        ),
-      ),
-    ),
-    h(
-      "section",
-      { class: "color-numbers", "aria-label": "Color" },
-      h(
-        "div",
-        { class: "color-head" },
-        h("h2", {}, "Linear sRGB"),
-        h("span", { class: "hex" }, swatch, hex.button),
-      ),
-      h(
-        "table",
-        { class: "colors" },
-        h("caption", { class: "hidden" }, "Colors in linear sRGB"),
-        h(
-          "thead",
-          {},
-          h("tr", {}, h("td"), ...CHANNELS.map((c) => h("th", { scope: "col" }, c)), h("td")),
-        ),
-        h("tbody", {}, ...rows.map((r) => r.tr)),
-      ),
-      h("div", { class: "color-choices" }, gamut.element, illuminant.element),
-      said,
-    ),
-  );
+  /** @param {string} name that is read out @param {number | string | null} value in full @param {string} text */
+  const number = (name, value, text) => html`<button type="button" class="number"
+    ?data-none=${value === null} aria-label="${name}: ${text}, copy"
+    @click=${copying(() => String(value ?? "none"), say, `${name} copied`)}>${text}</button>`;
+
+  /** @param {typeof colors[number]} color @param {number[]} rgb */
+  const row = ({ name, sign, note }, rgb) => html`<tr>
+    <th scope="row">${sign}<span class="of"> ${note}</span></th>
+    ${CHANNELS.map((channel, i) => html`<td>${number(`${name} ${channel}`, rgb[i] ?? 0, six(rgb[i]))}</td>`)}
+    <td class="copy-cell">
+      <button type="button" class="quiet copy" aria-label="Copy ${name}, three numbers"
+        @click=${copying(() => rgb.join(", "), say, `${name} copied`)}>copy</button>
+    </td>
+  </tr>`;
 
   return {
     element,
     /** @param {State} state */
-    choices(state) {
-      gamut.update([state.gamut]);
-      illuminant.update([state.illuminant]);
-    },
-    /** @param {any} next the answer of /materials/{id} @param {State} state */
-    update(next, state) {
-      detail = next;
-      for (const { cell } of constants) cell.update();
-      for (const { cells } of rows) for (const cell of cells) cell.update();
-      hex.update();
-      paint(swatch, next.display);
-      const shown = next.constants.wavelength_nm;
-      if (document.activeElement !== at || !at.value) {
-        const asked = state.at_nm ?? shown;
-        at.value = asked === null ? "" : plain(asked, 8);
-      }
-      const single = next.kind !== "spectrum";
-      at.hidden = single;
-      setText(
-        unit,
-        !single ? "nm" : shown === null ? "no wavelength stated" : `${plain(shown)} nm alone`,
-      );
-      at.title = next.n_range_nm ? `known for ${stretch(next.n_range_nm)}` : "";
-      const most = Math.max(...next.color.F0);
-      const policy =
-        next.display.gamut === "scaled" && most > 1
-          ? `scaled: divided by the largest channel, ${plain(most, 6)}`
-          : next.display.in_gamut
-            ? `${next.display.gamut}: within sRGB anyway`
-            : `${next.display.gamut}: ${POLICIES[next.display.gamut]}`;
-      setText(
-        said,
-        `${policy}. CIE 1931, ${next.color.illuminant}; luminance Y = ${six(next.color.luminance)}.`,
+    choices: (state) => choices.update(state),
+    /** @param {any} detail the answer of /materials/{id} @param {State} state */
+    update(detail, state) {
+      const { constants: known, display, color } = detail;
+      const nm = known.wavelength_nm;
+      const asked = state.at_nm ?? nm;
+      const spectral = detail.kind === "spectrum";
+      at.update(asked === null ? "" : plain(asked, 8));
+      at.input.hidden = !spectral;
+      at.input.title = detail.n_range_nm ? `known for ${stretch(detail.n_range_nm)}` : "";
+      const alone = nm === null ? "no wavelength stated" : `${plain(nm)} nm alone`;
+      render(
+        html`<section class="constants" aria-label="Constants at one wavelength">
+            <div class="at">
+              <label for="at-nm"><h2>At one wavelength</h2></label>
+              <span class="at-box">${lambda} ${at.input} <span>${spectral ? "nm" : alone}</span></span>
+            </div>
+            ${at.error}
+            <dl class="numbers">
+              ${constants.map(({ name, sign }) => html`<div><dt>${sign}</dt><dd>${number(name, known[name], written(known[name]))}</dd></div>`)}
+            </dl>
+          </section>
+          <section class="color-numbers" aria-label="Color">
+            <div class="color-head">
+              <h2>Linear sRGB</h2>
+              <span class="hex">${swatch(display.hex, "large")}
+                ${number("sRGB", display.hex, display.hex ?? "outside sRGB")}</span>
+            </div>
+            <table class="colors">
+              <caption class="hidden">Colors in linear sRGB</caption>
+              <thead><tr><td></td>${CHANNELS.map((c) => html`<th scope="col">${c}</th>`)}<td></td></tr></thead>
+              <tbody>${colors.map((one) => row(one, display[one.name]))}</tbody>
+            </table>
+            <div class="color-choices">${choices.elements.gamut} ${choices.elements.illuminant}</div>
+            <p class="hint">${policyOf(detail)}. CIE 1931, ${color.illuminant}; luminance Y = ${six(color.luminance)}.</p>
+          </section>`,
+        element,
       );
     },
     /** @param {{title: string, lines: string[]} | undefined} problem */
-    problem: (problem) => {
-      setText(wrong, problem ? problem.lines.join(" ") || problem.title : "");
-      at.toggleAttribute("aria-invalid", Boolean(problem));
+    problem(problem) {
+      setText(at.error, told(problem));
+      at.input.toggleAttribute("aria-invalid", Boolean(problem));
     },
   };
 }

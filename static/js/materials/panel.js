@@ -6,69 +6,63 @@ import { createDataTables, createExports } from "../page/exports.js";
 /**
  * @typedef {import('../page/exports.js').Published & {exportAs: (format: 'png' | 'svg' | 'csv') => Promise<Blob>, table: () => HTMLTableElement,
  *   theme: () => void, destroy: () => void}} Figure
- * @typedef {ReturnType<typeof createPanel>} Panel
+ * @typedef {Pick<ViewContext, 'catalog' | 'actions' | 'save'> & {parent: HTMLElement, now: () => State}} FigureContext
+ *   where the figures stand, in the document because plots read colors and sizes from it, and the state with the
+ *   preset that is shown
  */
 
+/** What went wrong, in one line. @param {{title: string, lines: string[]} | undefined} problem */
+export const told = (problem) => (problem ? problem.lines.join(" ") || problem.title : "");
+
 /**
+ * @param {FigureContext} context
  * @param {object} options
- * @param {HTMLElement} options.parent in the document, because plots read colours and sizes from it
  * @param {string} options.title
  * @param {string} options.name of its class
  * @param {(Node | null)[]} [options.controls]
- * @param {HTMLElement[]} options.hosts of the plots, one below or beside the other
+ * @param {HTMLElement[]} options.frames of the plots, one below or beside the other
  * @param {() => Figure[]} options.figures
- * @param {() => string} options.filename without ending
+ * @param {() => string} options.what is in the file, which is named by it and the preset
  * @param {string} options.call a part of the REST call that it shows
- * @param {() => string[]} options.presets that it shows
- * @param {(name: string, blob: Blob) => void} options.save
+ * @param {() => string[]} [options.presets] that it shows
  */
-export function createPanel({
-  parent,
-  title,
-  name,
-  controls = [],
-  hosts,
-  figures,
-  filename,
-  call,
-  presets,
-  save,
-}) {
+export function createPanel(
+  { parent, now, save },
+  { title, name, controls = [], frames, figures, what, call, presets = () => [now().preset] },
+) {
   const exports = createExports({
     what: `“${title}”`,
-    name: filename,
+    name: () => `${now().preset}-${what()}`,
     make: (kind) => Promise.all(figures().map((figure) => figure.exportAs(kind))),
     print: { figures, call, behind: () => ({ presets: presets() }) },
     save,
   });
-  const heading = h("h2", {}, title);
   const problem = h("p", { class: "row-error", role: "alert" });
   const note = h("p", { class: "hint" });
   const tables = createDataTables("As a table", {
     [`${title}, table`]: () => figures().map((figure) => figure.table()),
   });
-  const area = h("div", { class: "figure-row" }, ...hosts);
   const element = h(
     "section",
     { class: `column sheet ${name}`, "aria-label": title },
-    h("div", { class: "heading" }, heading, exports),
+    h("div", { class: "heading" }, h("h2", {}, title), exports),
     h("div", { class: "sheet-controls" }, ...controls),
     problem,
-    area,
+    h("div", { class: "figure-row" }, ...frames),
     note,
     tables.element,
   );
   parent.append(element);
   return {
     element,
-    fill: tables.fill,
-    /** @param {Node | string} text */
-    note: (text) => note.replaceChildren(text),
-    /** @param {{lines: string[], title: string} | undefined} what */
-    problem: (what) => setText(problem, what ? what.lines.join(" ") || what.title : ""),
-    /** @param {boolean} hidden */
-    hide(hidden) {
-      element.hidden = hidden;
+    /** The curves have changed. @param {string} text */
+    filled(text) {
+      tables.fill();
+      setText(note, text);
     },
+    /** @param {{lines: string[], title: string} | undefined} what */
+    problem: (what) => setText(problem, told(what)),
+    theme: () => figures().forEach((figure) => void figure.theme()),
+    destroy: () => figures().forEach((figure) => void figure.destroy()),
   };
 }

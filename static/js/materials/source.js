@@ -1,8 +1,9 @@
 /** Where the numbers come from, and how far other measurements lie from them. */
 
 import { plain, stretch } from "../numbers/format.js";
-import { h, setText } from "../page/dom.js";
-import { copyText, flash } from "../page/exports.js";
+import { h } from "../page/dom.js";
+import { copying } from "../page/exports.js";
+import { html, nothing, render } from "../page/lit.js";
 import { narrow } from "./columns.js";
 
 /** Units that end the names of conditions. @type {Record<string, string>} */
@@ -16,179 +17,107 @@ export function condition(key, value) {
   return `${name} ${typeof value === "number" ? plain(value) : value}${unit ? `\u00a0${unit}` : ""}`;
 }
 
+/** @param {string} doi */
+const resolved = (doi) => `https://doi.org/${doi}`;
+
 /** What a reader would cite. @param {any} detail */
-export function citation(detail) {
-  const doi = detail.doi.map((/** @type {string} */ d) => `https://doi.org/${d}`);
-  const database = detail.provenance
-    ? `${detail.provenance.database} ${detail.provenance.tag}, ${detail.provenance.page}`
-    : "";
-  return [detail.source, ...doi, database].filter(Boolean).join(". ");
+export function citation({ source, doi, provenance }) {
+  const database = provenance ? `${provenance.database} ${provenance.tag}, ${provenance.page}` : "";
+  return [source, ...doi.map(resolved), database].filter(Boolean).join(". ");
 }
+
+/** @param {string} term @param {unknown} words none leaves it out @param {string | typeof nothing} [name] of its class */
+const entry = (term, words, name = nothing) =>
+  words ? html`<div class=${name}><dt>${term}</dt><dd>${words}</dd></div>` : nothing;
+
+/** @param {string} text @param {string} href */
+const link = (text, href) => entry("Link", html`<a href=${href} rel="noreferrer">${text}</a>`);
+
+/** @param {any} provenance */
+const data = ({ database, tag, file, sha256 }) => html`${database} ${tag}, ${file},
+  <span class="sum" title=${sha256}>sha256 ${sha256.slice(0, 12)}…</span>`;
 
 /** @param {(text: string) => void} say */
 export function createSource(say) {
-  const list = h("dl", { class: "source-list" });
-  const copy = h("button", { type: "button", class: "quiet" }, "copy citation");
-  /** @type {any} */
-  let shown = null;
-  copy.addEventListener("click", async () => {
-    if (!shown) return;
-    const done = await copyText(citation(shown));
-    flash(copy, done);
-    say(done ? "Citation copied" : "Copying is not allowed here");
-  });
-  const element = h(
-    "section",
-    { class: "column sheet origin", "aria-label": "Source" },
-    h("div", { class: "heading" }, h("h2", {}, "Source"), copy),
-    list,
-  );
-  /** @param {string} term @param {...(Node | string)} words */
-  const entry = (term, ...words) => h("div", {}, h("dt", {}, term), h("dd", {}, ...words));
+  const element = h("section", { class: "column sheet origin", "aria-label": "Source" });
   return {
     element,
     /** @param {any} detail */
     update(detail) {
-      if (shown === detail) return;
-      shown = detail;
-      const { provenance, conditions, warnings, note, doi, licence } = detail;
-      const links = [
-        ...doi.map((/** @type {string} */ d) => ({
-          text: `doi:${d}`,
-          href: `https://doi.org/${d}`,
-        })),
-        ...(doi.length ? [] : (provenance?.links ?? [])).map((/** @type {string} */ url) => ({
-          text: url,
-          href: url,
-        })),
-      ];
-      const said = Object.entries(conditions).map(([key, value]) => condition(key, value));
-      list.replaceChildren(
-        entry("Reference", detail.source),
-        ...links.map((l) => entry("Link", h("a", { href: l.href, rel: "noreferrer" }, l.text))),
-        entry("Sample", `${detail.sample}; confidence ${detail.confidence}`),
-        ...(said.length ? [entry("Conditions", said.join(", "))] : []),
-        ...(note ? [entry("Note", note)] : []),
-        ...(provenance?.comments ? [entry("Comment", provenance.comments)] : []),
-        ...(detail.n_range_nm
-          ? [
-              entry(
-                "Known",
-                `n ${stretch(detail.n_range_nm)}; k ${detail.k_range_nm ? stretch(detail.k_range_nm) : "not given"}`,
-              ),
-            ]
-          : []),
-        entry("Licence", licence),
-        ...(provenance
-          ? [
-              entry(
-                "Data",
-                `${provenance.database} ${provenance.tag}, ${provenance.file}, `,
-                h(
-                  "span",
-                  { class: "sum", title: provenance.sha256 },
-                  `sha256 ${provenance.sha256.slice(0, 12)}…`,
-                ),
-              ),
-            ]
-          : []),
-        ...warnings.map((/** @type {string} */ w) => {
-          const one = entry("Warning", w);
-          one.className = "warning";
-          return one;
-        }),
+      const { source, sample, confidence, provenance, doi, n_range_nm: n, k_range_nm: k } = detail;
+      const conditions = Object.entries(detail.conditions).map(([key, one]) => condition(key, one));
+      /** @type {string[]} */
+      const links = doi.length ? [] : (provenance?.links ?? []);
+      render(
+        html`<div class="heading">
+            <h2>Source</h2>
+            <button type="button" class="quiet"
+              @click=${copying(() => citation(detail), say, "Citation copied")}>copy citation</button>
+          </div>
+          <dl class="source-list">
+            ${entry("Reference", source)}
+            ${doi.map((/** @type {string} */ one) => link(`doi:${one}`, resolved(one)))}
+            ${links.map((url) => link(url, url))}
+            ${entry("Sample", `${sample}; confidence ${confidence}`)}
+            ${entry("Conditions", conditions.join(", "))}
+            ${entry("Note", detail.note)} ${entry("Comment", provenance?.comments)}
+            ${entry("Known", n && `n ${stretch(n)}; k ${k ? stretch(k) : "not given"}`)}
+            ${entry("Licence", detail.licence)} ${entry("Data", provenance && data(provenance))}
+            ${detail.warnings.map((/** @type {string} */ one) => entry("Warning", one, "warning"))}
+          </dl>`,
+        element,
       );
     },
   };
 }
+
+const HEADINGS = ["measurement", "Y", "difference", "n", "k", "sample, confidence"];
 
 /**
  * Measurements of the same material, this one among them, by their reflectance.
  * @param {(id: string) => void} onPick
  */
 export function createRivals(onPick) {
-  const body = h("tbody", {});
-  const summary = h("p", { class: "hint" });
-  const element = h(
-    "section",
-    { class: "column sheet rival-list", "aria-label": "Other measurements" },
-    h("div", { class: "heading" }, h("h2", {}, "Other measurements")),
-    summary,
-    h(
-      "div",
-      {
-        class: "rival-scroll",
-        tabindex: "0",
-        role: "region",
-        "aria-label": "Measurements of the same material",
-      },
-      h(
-        "table",
-        { class: "rivals" },
-        h("caption", { class: "hidden" }, "Measurements of the same material"),
-        h(
-          "thead",
-          {},
-          h(
-            "tr",
-            {},
-            ...["measurement", "Y", "difference", "n", "k", "sample, confidence"].map((t) =>
-              h("th", { scope: "col" }, t),
-            ),
-          ),
-        ),
-        body,
-      ),
-    ),
-  );
-  /** @type {any} */
-  let shown = null;
+  const element = h("section", {
+    class: "column sheet rival-list",
+    "aria-label": "Other measurements",
+  });
   return {
     element,
     /** @param {any} detail */
     update(detail) {
-      if (shown === detail) return;
-      shown = detail;
       element.hidden = detail.rivals.length === 0;
-      // What dielectrics differ by is seen in the fourth digit.
-      const fixed = (/** @type {number} */ Y) => Y.toFixed(detail.color.luminance < 0.2 ? 5 : 3);
       const own = { ...detail, luminance: detail.color.luminance };
+      // What dielectrics differ by is seen in the fourth digit.
+      const fixed = (/** @type {number} */ Y) => Y.toFixed(own.luminance < 0.2 ? 5 : 3);
       const all = [own, ...detail.rivals].sort((a, b) => a.luminance - b.luminance);
       const { minimum, maximum } = detail.spread;
-      setText(
-        summary,
-        `Luminous reflectance at normal incidence lies between ${fixed(minimum)} and ${fixed(maximum)} in ${all.length} measurements: which one is taken changes it by ${fixed(maximum - minimum)}.`,
-      );
-      body.replaceChildren(
-        ...all.map((one) => {
-          const here = one === own;
-          const by = one.luminance - own.luminance;
-          return h(
-            "tr",
-            here ? { "data-chosen": true } : {},
-            h(
-              "th",
-              { scope: "row" },
-              here
-                ? h("b", {}, one.name)
-                : h(
-                    "button",
-                    {
-                      type: "button",
-                      class: "rival",
-                      title: one.source,
-                      onclick: () => onPick(one.id),
-                    },
-                    one.name,
-                  ),
-            ),
-            h("td", {}, fixed(one.luminance)),
-            h("td", {}, here ? "shown" : `${by < 0 ? "−" : "+"}${fixed(Math.abs(by))}`),
-            h("td", {}, plain(one.n, 4)),
-            h("td", {}, narrow(one.k)),
-            h("td", {}, `${one.sample}, ${one.confidence}`),
-          );
-        }),
+      /** @param {any} one */
+      function row(one) {
+        const here = one === own;
+        const by = one.luminance - own.luminance;
+        const pick = html`<button type="button" class="rival" title=${one.source}
+          @click=${() => onPick(one.id)}>${one.name}</button>`;
+        return html`<tr ?data-chosen=${here}>
+          <th scope="row">${here ? html`<b>${one.name}</b>` : pick}</th>
+          <td>${fixed(one.luminance)}</td>
+          <td>${here ? "shown" : `${by < 0 ? "−" : "+"}${fixed(Math.abs(by))}`}</td>
+          <td>${plain(one.n, 4)}</td>
+          <td>${narrow(one.k)}</td>
+          <td>${one.sample}, ${one.confidence}</td>
+        </tr>`;
+      }
+      render(
+        html`<div class="heading"><h2>Other measurements</h2></div>
+          <p class="hint">Luminous reflectance at normal incidence lies between ${fixed(minimum)} and ${fixed(maximum)} in ${all.length} measurements: which one is taken changes it by ${fixed(maximum - minimum)}.</p>
+          <div class="rival-scroll" tabindex="0" role="region" aria-label="Measurements of the same material">
+            <table class="rivals">
+              <caption class="hidden">Measurements of the same material</caption>
+              <thead><tr>${HEADINGS.map((words) => html`<th scope="col">${words}</th>`)}</tr></thead>
+              <tbody>${all.map(row)}</tbody>
+            </table>
+          </div>`,
+        element,
       );
     },
   };

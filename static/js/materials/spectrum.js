@@ -1,6 +1,6 @@
 /** n and k over the wavelength, with what rival measurements span, or the reflectance that follows. */
 
-import { createChoice } from "../controls/panel.js";
+import { createChoice, createChoices } from "../controls/panel.js";
 import { stretch } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
@@ -27,37 +27,16 @@ export function shownRange(spectrum, { reach }) {
   return [Math.min(...ends.map((r) => r[0])), Math.max(...ends.map((r) => r[1]))];
 }
 
-/**
- * @param {object} options
- * @param {HTMLElement} options.parent in the document
- * @param {Catalog} options.catalog
- * @param {Actions} options.actions
- * @param {(name: string, blob: Blob) => void} options.save
- */
-export function createSpectrum({ parent, catalog, actions, save }) {
-  const what = createChoice({
-    legend: "Quantity",
-    items: [
-      { value: "nk", label: "n and k" },
-      { value: "F0", label: "R at 0°", note: "reflectance at normal incidence from vacuum" },
+/** @param {import('./panel.js').FigureContext} context */
+export function createSpectrum(context) {
+  const { catalog, actions, now } = context;
+  const choices = createChoices(actions, {
+    plot_of: [
+      "Quantity",
+      { nk: "n and k", F0: ["R at 0°", "reflectance at normal incidence from vacuum"] },
     ],
-    onChange: ([value]) => actions.set({ plot_of: value }),
-  });
-  const reach = createChoice({
-    legend: "Wavelengths",
-    items: [
-      { value: "visible", label: "visible" },
-      { value: "all", label: "all", note: "all that is known" },
-    ],
-    onChange: ([value]) => actions.set({ reach: value }),
-  });
-  const axis = createChoice({
-    legend: "Wavelength axis",
-    items: [
-      { value: "linear", label: "linear" },
-      { value: "log", label: "log" },
-    ],
-    onChange: ([value]) => actions.set({ lambda_axis: value }),
+    reach: ["Wavelengths", { visible: "visible", all: ["all", "all that is known"] }],
+    lambda_axis: ["Wavelength axis", { linear: "linear", log: "log" }],
   });
   const rivals = createChoice({
     legend: "Rivals",
@@ -65,24 +44,20 @@ export function createSpectrum({ parent, catalog, actions, save }) {
     items: [{ value: "shown", label: "rivals", note: "other measurements of the same material" }],
     onChange: (values) => actions.set({ rivals: values.length ? "shown" : "hidden" }),
   });
-  const host = h("div", { class: "frame" });
-  /** @type {State | null} */
-  let now = null;
+  const frame = h("div", { class: "frame" });
   /** @type {any} */
   let spectrum = null;
-  const panel = createPanel({
-    parent,
+  const panel = createPanel(context, {
     title: "Over the wavelength",
     name: "spectrum",
-    controls: [what.element, reach.element, axis.element, rivals.element],
-    hosts: [h("div", { class: "plot-host" }, host)],
+    controls: [...Object.values(choices.elements), rivals.element],
+    frames: [h("div", { class: "plot-host" }, frame)],
     figures: () => [plot],
-    filename: () => `${now?.preset ?? "material"}-${now?.plot_of === "F0" ? "F0" : "n-k"}`,
+    what: () => (now().plot_of === "F0" ? "F0" : "n-k"),
     call: "/spectrum",
     presets: () => sources.map(({ material }) => material.id),
-    save,
   });
-  const plot = createPlot(host, {
+  const plot = createPlot(frame, {
     name: "n and k over the wavelength",
     x: { title: "wavelength λ (nm)", range: VISIBLE },
     y: { title: "n, k", range: null },
@@ -102,13 +77,10 @@ export function createSpectrum({ parent, catalog, actions, save }) {
   let traces = [];
 
   return {
-    panel,
+    ...panel,
     /** @param {State} state @param {Record<string, any>} answers @param {number | null} at */
     update(state, answers, at) {
-      now = state;
-      what.update([state.plot_of]);
-      reach.update([state.reach]);
-      axis.update([state.lambda_axis]);
+      choices.update(state);
       rivals.update(state.rivals === "shown" ? ["shown"] : []);
       const others = rivalsOf(catalog, state.preset).filter(
         (id) => presetOf(catalog, id)?.kind === "spectrum",
@@ -122,9 +94,8 @@ export function createSpectrum({ parent, catalog, actions, save }) {
           : [];
       const look = JSON.stringify([state.plot_of, state.reach, state.lambda_axis]);
       const all = [spectrum, ...measured];
-      const same =
-        look === drawn && all.length === sources.length && all.every((a, i) => a === sources[i]);
-      if (!same) {
+      const same = all.length === sources.length && all.every((a, i) => a === sources[i]);
+      if (look !== drawn || !same) {
         drawn = look;
         sources = all;
         draw(state, spectrum, measured);
@@ -134,8 +105,6 @@ export function createSpectrum({ parent, catalog, actions, save }) {
         at === null ? [] : traces.slice(0, 2).map((t) => ({ id: t.id, y: valueAt(t, at) })),
       );
     },
-    theme: () => plot.theme(),
-    destroy: () => plot.destroy(),
   };
 
   /** @param {State} state @param {any} own @param {any[]} measured */
@@ -212,12 +181,11 @@ export function createSpectrum({ parent, catalog, actions, save }) {
       },
     });
     void plot.draw(traces, limits(own, wide), bands);
-    panel.fill();
     const names = measured.map((one) => shortName(presetOf(catalog, one.material.id)));
     const k = own.k_range_nm ? "" : " k is not given.";
     const points =
       own.native?.n.kind === "points" ? `${own.native.n.wavelength_nm.length} points` : "a formula";
-    panel.note(
+    panel.filled(
       `n is known for ${stretch(own.n_range_nm)} from ${points}.${k}${
         names.length ? ` The bands span ${names.join(", ")} and this one.` : ""
       } Drag to read at another wavelength.`,

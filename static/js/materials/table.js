@@ -1,21 +1,18 @@
 /** The table of presets: one stop for the Tab key, arrows walk through it, the row walked to is shown. */
 
 import { stretch } from "../numbers/format.js";
-import { h, setText } from "../page/dom.js";
+import { h } from "../page/dom.js";
+import { html, nothing, render } from "../page/lit.js";
 import { COLUMNS, sortedPresets } from "./columns.js";
 
 /** @typedef {import('./columns.js').Preset} Preset */
 
 const PAGE = 10;
 
-/**
- * @param {HTMLElement} element
- * @param {{hex: string | null} | undefined} swatch
- */
-export function paint(element, swatch) {
-  element.style.setProperty("--swatch", swatch?.hex ?? "transparent");
-  element.toggleAttribute("data-outside", !swatch?.hex);
-}
+/** A color, hatched where sRGB does not hold it. @param {string | null | undefined} hex @param {string} [size] */
+export const swatch = (hex, size = "") =>
+  html`<span class="swatch ${size}" aria-hidden="true" style="--swatch: ${hex ?? "transparent"}"
+    ?data-outside=${!hex}></span>`;
 
 /**
  * @param {object} options
@@ -25,86 +22,81 @@ export function paint(element, swatch) {
  * @param {() => void} options.onLeave upwards, beyond the first row
  */
 export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
-  /** @type {{by: string, order: 'up' | 'down'}} */
-  let sort = { by: "match", order: "up" };
-  const headings = COLUMNS.map((column) => {
-    const button = h(
-      "button",
-      {
-        type: "button",
-        class: "sort",
-        title: column.note || null,
-        onclick: () => {
-          // A third click goes back to the catalog's own order.
-          if (sort.by !== column.name) onSort(column.name, "up");
-          else if (sort.order === "up") onSort(column.name, "down");
-          else onSort("match", "up");
-        },
-      },
-      column.heading,
-    );
-    return { column, button, th: h("th", { scope: "col", class: `c-${column.name}` }, button) };
-  });
-  const body = h("tbody", {});
-  const table = h(
-    "table",
-    { class: "presets" },
-    h("caption", { class: "hidden" }, "Materials"),
-    h("thead", {}, h("tr", {}, ...headings.map((c) => c.th))),
-    body,
-  );
-  const element = h("div", { class: "presets-scroll" }, table);
-
-  /** @type {Map<string, ReturnType<typeof line>>} */
-  const lines = new Map();
-  /** @type {Preset[]} */
+  const element = h("div", { class: "presets-scroll" });
+  /** @type {readonly Preset[]} */
   let shown = [];
-  /** @type {unknown} */
-  let drawn = null;
+  let sort = { by: "match", order: "up" };
   let chosen = "";
+  /** What the table was drawn of. @type {readonly unknown[]} */
+  let drawn = [];
 
-  /** @param {Preset} preset */
-  function line(preset) {
-    const swatch = h("span", { class: "swatch", "aria-hidden": "true" });
-    const about = [
-      preset.category,
-      preset.kind === "single" || !preset.n_range_nm ? "one index" : stretch(preset.n_range_nm),
-    ];
-    const pick = h(
-      "button",
-      {
-        type: "button",
-        class: "entry",
-        tabindex: "-1",
-        "aria-pressed": "false",
-        onclick: () => onPick(preset.id, false),
-      },
-      swatch,
-      h("span", { class: "entry-name" }, preset.name),
-      h("span", { class: "entry-about" }, about.join(" · ")),
+  /** @param {string} id @returns {HTMLTableRowElement | null} */
+  const rowOf = (id) => element.querySelector(`tr[data-id="${CSS.escape(id)}"]`);
+  /** @param {Event} event */
+  const idAt = ({ target }) =>
+    target instanceof Element ? target.closest("tr")?.dataset.id : undefined;
+  /** @param {string} id */
+  const focus = (id) => rowOf(id)?.querySelector("button")?.focus({ preventScroll: true });
+
+  /** A third click goes back to the catalog's own order. @param {string} name */
+  function sortBy(name) {
+    if (sort.by !== name) onSort(name, "up");
+    else if (sort.order === "up") onSort(name, "down");
+    else onSort("match", "up");
+  }
+
+  /** @param {import('./columns.js').Column} column */
+  function heading({ name, note, heading: words }) {
+    const on = name === sort.by;
+    return html`<th scope="col" class="c-${name}"
+      aria-sort=${on ? (sort.order === "up" ? "ascending" : "descending") : nothing}>
+      <button type="button" class="sort" title=${note || nothing} data-order=${on ? sort.order : ""}
+        @click=${() => sortBy(name)}>${words}</button>
+    </th>`;
+  }
+
+  /** @param {Preset} preset @param {string} stop */
+  function row(preset, stop) {
+    const { id, name, category, kind, n_range_nm } = preset;
+    const known = kind === "single" || !n_range_nm ? "one index" : stretch(n_range_nm);
+    return html`<tr data-id=${id} ?data-chosen=${id === chosen}>
+      <th scope="row">
+        <button type="button" class="entry" tabindex=${id === stop ? 0 : -1} aria-pressed=${id === chosen}>
+          ${swatch(preset.swatch?.hex)}
+          <span class="entry-name">${name}</span>
+          <span class="entry-about">${category} · ${known}</span>
+        </button>
+      </th>
+      ${COLUMNS.slice(1).map((c) => html`<td class="c-${c.name}">${c.print(preset)}</td>`)}
+    </tr>`;
+  }
+
+  /** @param {string} stop the row that the Tab key goes to */
+  function draw(stop) {
+    render(
+      html`<table class="presets">
+        <caption class="hidden">Materials</caption>
+        <thead><tr>${COLUMNS.map(heading)}</tr></thead>
+        <tbody @click=${pick} @keydown=${walkBy} @keyup=${settle}>${shown.map((one) => row(one, stop))}</tbody>
+      </table>`,
+      element,
     );
-    const cells = COLUMNS.slice(1).map((c) => h("td", { class: `c-${c.name}` }, c.print(preset)));
-    const tr = h("tr", { "data-id": preset.id }, h("th", { scope: "row" }, pick), ...cells);
-    tr.addEventListener("click", (event) => {
-      if (!pick.contains(/** @type {Node} */ (event.target))) onPick(preset.id, false);
-    });
-    return { tr, pick, swatch };
   }
 
   /** @param {number} index */
   function walk(index) {
     const preset = shown[Math.min(Math.max(index, 0), shown.length - 1)];
     if (!preset) return;
-    lines.get(preset.id)?.pick.focus({ preventScroll: true });
+    focus(preset.id);
     reveal(preset.id);
     if (preset.id !== chosen) onPick(preset.id, true);
   }
 
   /** Scroll the table, not the page; to the middle where the row came from elsewhere. @param {string} id @param {boolean} [middle] */
   function reveal(id, middle = false) {
-    const tr = lines.get(id)?.tr;
-    if (!tr?.isConnected) return;
-    const head = headings[0]?.th.offsetHeight ?? 0;
+    const tr = rowOf(id);
+    if (!tr) return;
+    const head = element.querySelector("thead")?.offsetHeight ?? 0;
     const top = tr.offsetTop - head;
     const bottom = tr.offsetTop + tr.offsetHeight;
     const { scrollTop, clientHeight } = element;
@@ -113,11 +105,17 @@ export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
     else element.scrollTop = top < scrollTop ? top : bottom - clientHeight;
   }
 
-  body.addEventListener("keydown", (event) => {
+  /** @param {Event} event */
+  function pick(event) {
+    const id = idAt(event);
+    if (id) onPick(id, false);
+  }
+
+  /** @param {KeyboardEvent} event */
+  function walkBy(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const at = shown.findIndex((m) => m.id === chosen);
-    const id = /** @type {HTMLElement} */ (event.target).closest("tr")?.dataset.id;
-    const here = id ? shown.findIndex((m) => m.id === id) : at;
+    const id = idAt(event) ?? chosen;
+    const here = shown.findIndex((m) => m.id === id);
     /** @type {Record<string, number>} */
     const goals = {
       ArrowDown: here + 1,
@@ -132,22 +130,17 @@ export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
     event.preventDefault();
     if (goal < 0 && event.key === "ArrowUp") onLeave();
     else walk(goal);
-  });
-  body.addEventListener("keyup", (event) => {
-    if (/^(Arrow|Page|Home|End)/.test(event.key)) onSettle();
-  });
+  }
+
+  /** @param {KeyboardEvent} event */
+  function settle({ key }) {
+    if (/^(Arrow|Page|Home|End)/.test(key)) onSettle();
+  }
 
   return {
     element,
     /** Into the table, to the chosen row or the first. */
-    enter() {
-      walk(
-        Math.max(
-          0,
-          shown.findIndex((m) => m.id === chosen),
-        ),
-      );
-    },
+    enter: () => walk(shown.findIndex((m) => m.id === chosen)),
     first: () => walk(0),
     /**
      * @param {readonly Preset[]} presets
@@ -156,43 +149,20 @@ export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
      * @param {string} preset the chosen one
      */
     update(presets, by, order, preset) {
-      const look = `${by} ${order}`;
-      if (drawn !== presets || look !== `${sort.by} ${sort.order}`) {
-        sort = { by, order };
-        drawn = presets;
+      const now = [presets, by, order, preset];
+      if (now.every((one, i) => one === drawn[i])) return;
+      if (now.slice(0, 3).some((one, i) => one !== drawn[i]))
         shown = sortedPresets(presets, by, order);
-        const rows = shown.map((one) => {
-          const made = lines.get(one.id) ?? line(one);
-          lines.set(one.id, made);
-          paint(made.swatch, one.swatch);
-          return made.tr;
-        });
-        const active = document.activeElement;
-        body.replaceChildren(...rows);
-        if (active instanceof HTMLElement && body.contains(active)) active.focus();
-        for (const { column, th, button } of headings) {
-          const on = column.name === by;
-          if (on) th.setAttribute("aria-sort", order === "up" ? "ascending" : "descending");
-          else th.removeAttribute("aria-sort");
-          button.dataset.order = on ? order : "";
-        }
-      }
-      const inside = shown.some((m) => m.id === preset);
-      const before = chosen;
+      drawn = now;
+      sort = { by, order };
+      const came = chosen !== preset;
       chosen = preset;
-      const stop = inside ? preset : shown[0]?.id;
-      for (const { id } of shown) {
-        const { pick, tr } = /** @type {ReturnType<typeof line>} */ (lines.get(id));
-        const on = id === preset;
-        if (tr.hasAttribute("data-chosen") !== on) {
-          tr.toggleAttribute("data-chosen", on);
-          pick.setAttribute("aria-pressed", String(on));
-        }
-        pick.tabIndex = id === stop ? 0 : -1;
-      }
-      if (before !== preset) requestAnimationFrame(() => reveal(preset, true));
+      const active = document.activeElement;
+      const held = element.contains(active) ? active?.closest("tr")?.dataset.id : undefined;
+      draw(shown.some((m) => m.id === preset) ? preset : (shown[0]?.id ?? ""));
+      // Rows are those of their places: the focus goes with the preset.
+      if (held) focus(held);
+      if (came) requestAnimationFrame(() => reveal(preset, true));
     },
-    /** @param {string} text */
-    caption: (text) => setText(/** @type {HTMLElement} */ (table.caption), text),
   };
 }

@@ -99,6 +99,23 @@ export function flash(button, done) {
 }
 
 /**
+ * What a button does that copies: it shows whether it was allowed to, and says it aloud.
+ * @param {() => string} text
+ * @param {(words: string) => void} say
+ * @param {string} done what is said then
+ * @param {string} [refused]
+ * @returns {(event: Event) => Promise<void>}
+ */
+export function copying(text, say, done, refused = "Copying is not allowed here") {
+  return async (event) => {
+    const button = /** @type {HTMLElement} */ (event.currentTarget);
+    const copied = await copyText(text());
+    flash(button, copied);
+    say(copied ? done : refused);
+  };
+}
+
+/**
  * @param {string} summary
  * @param {Record<string, () => HTMLElement[]>} named what makes the tables, by the name of each place; none keeps what is there
  */

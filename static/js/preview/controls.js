@@ -1,12 +1,13 @@
 /** The panel of the Preview view: media, what stands on either side and how it is evaluated, the scene. */
 
 import { createInterface } from "../controls/media.js";
-import { createChoice, createSheet } from "../controls/panel.js";
+import { createChoices, createSheet } from "../controls/panel.js";
 import { createParameters } from "../controls/parameters.js";
 import { createRow } from "../controls/row.js";
 import { ExpressionError, evaluate } from "../numbers/entry.js";
 import { plain } from "../numbers/format.js";
-import { h, setText } from "../page/dom.js";
+import { h } from "../page/dom.js";
+import { html, render } from "../page/lit.js";
 import { BOUNDS, isOpaque, NONE } from "./fields.js";
 import { coloredMaterial, SIDES } from "./queries.js";
 
@@ -16,82 +17,66 @@ const MANNERS = {
   n_t: { label: "second index", range: [1, 3], wide: [0.1, 10] },
   k_t: { label: "extinction", range: [0, 5], wide: [0, 20] },
 };
+const HOW = /** @type {const} */ ({
+  pixel: "per pixel",
+  vertex: ["per vertex", "R at the corners of a coarse mesh"],
+  texture: ["8-bit texture", "R from a table over the cosine"],
+});
 
-/** @param {Model} model */
-const isTrap = ({ trap }) => trap === true;
+/** @type {Record<string, (model: Model) => boolean>} */
+const GROUPS = {
+  Approximations: ({ kind, trap }) => kind !== "exact" && !trap,
+  Traps: ({ trap }) => trap === true,
+  "Exact forms": ({ kind, trap }) => kind === "exact" && !trap,
+};
 
-/** @param {Model[]} models @param {string} label @param {(id: string) => void} onPick */
-function modelSelect(models, label, onPick) {
+/** @param {Model[]} models @param {string} chosen */
+function modelOptions(models, chosen) {
+  /** @param {string} id @param {string} title */
+  const option = (id, title) =>
+    html`<option value=${id} .selected=${id === chosen}>${title}</option>`;
   /** @param {Model[]} some */
-  const options = (some) => some.map((m) => h("option", { value: m.id }, m.title));
+  const options = (some) => some.map(({ id, title }) => option(id, title));
   const others = models.filter((m) => m.id !== "exact");
-  const select = h(
-    "select",
-    { class: "preset", "aria-label": label, onchange: () => onPick(select.value) },
-    ...options(models.filter((m) => m.id === "exact")),
-    h("option", { value: NONE }, "No reflection"),
-    h(
-      "optgroup",
-      { label: "Approximations" },
-      ...options(others.filter((m) => m.kind !== "exact" && !isTrap(m))),
-    ),
-    h("optgroup", { label: "Traps" }, ...options(others.filter(isTrap))),
-    h(
-      "optgroup",
-      { label: "Exact forms" },
-      ...options(others.filter((m) => m.kind === "exact" && !isTrap(m))),
-    ),
+  const groups = Object.entries(GROUPS).map(
+    ([label, holds]) => html`<optgroup label=${label}>${options(others.filter(holds))}</optgroup>`,
   );
-  return select;
+  const exact = models.filter((m) => m.id === "exact");
+  return html`${options(exact)}${option(NONE, "No reflection")}${groups}`;
 }
 
-/**
- * @param {object} options
- * @param {Catalog} options.catalog
- * @param {State} options.presets
- * @param {() => State} options.state
- * @param {Actions} options.actions
- * @param {() => Promise<void>} options.describeMedia
- */
+/** @param {Pick<ViewContext, 'catalog' | 'presets' | 'state' | 'actions' | 'describeMedia'>} context */
 export function createControls({ catalog, presets, state, actions, describeMedia }) {
+  const prefix = "preview-";
   const { rows, media } = createInterface({
-    catalog,
-    presets,
-    state,
-    actions,
-    prefix: "preview-",
+    ...{ catalog, presets, state, actions, prefix, describeMedia },
     manners: MANNERS,
-    describeMedia,
   });
-
-  const sides = SIDES.map((side) => {
-    const select = modelSelect(catalog.models, `Model on the ${side}`, (id) =>
-      actions.set({ [side]: id }),
-    );
-    const how = createChoice({
-      legend: `How R is evaluated on the ${side}`,
-      items: [
-        { value: "pixel", label: "per pixel" },
-        { value: "vertex", label: "per vertex", note: "R at the corners of a coarse mesh" },
-        { value: "texture", label: "8-bit texture", note: "R from a table over the cosine" },
-      ],
-      onChange: ([value]) => actions.set({ [`${side}_by`]: value }),
-    });
-    const reason = h("p", { class: "reason" });
-    const element = h(
-      "section",
-      { class: "side-choice", "aria-label": side },
-      h("h2", {}, side),
-      h("span", { class: "picker" }, select),
-      how.element,
-      reason,
-    );
-    return { side, select, how, reason, element };
+  const choices = createChoices(actions, {
+    left_by: ["How R is evaluated on the left", HOW],
+    right_by: ["How R is evaluated on the right", HOW],
+    scene: ["The media meet at", { ball: "the ball", water: "the water" }],
+    body: [
+      "Below the surface",
+      {
+        paint: ["paint", "a diffuse body under a clear coat"],
+        clear: ["clear", "what is refracted is seen"],
+      },
+    ],
+    sky: [
+      "Light",
+      {
+        day: "sky and sun",
+        even: ["even", "the same from everywhere: the ball shows R itself"],
+      },
+    ],
+    colors: ["The material's color", { rgb: "R, G, B", single: "one wavelength" }],
   });
+  const { scene, body, sky, colors } = choices.elements;
 
   const texels = createRow({
     parameter: { name: "texels", symbol: "N", ...BOUNDS.texels },
-    prefix: "preview-",
+    prefix,
     preset: BOUNDS.texels.default,
     label: "texels",
     range: [2, 64],
@@ -114,29 +99,7 @@ export function createControls({ catalog, presets, state, actions, describeMedia
       allowed: () => "a whole number from 2 to 4096",
     },
   });
-  const parameters = createParameters({
-    models: catalog.models,
-    state,
-    actions,
-    prefix: "preview-",
-  });
-
-  const scene = createChoice({
-    legend: "The media meet at",
-    items: [
-      { value: "ball", label: "the ball" },
-      { value: "water", label: "the water" },
-    ],
-    onChange: ([value]) => actions.set({ scene: value }),
-  });
-  const body = createChoice({
-    legend: "Below the surface",
-    items: [
-      { value: "paint", label: "paint", note: "a diffuse body under a clear coat" },
-      { value: "clear", label: "clear", note: "what is refracted is seen" },
-    ],
-    onChange: ([value]) => actions.set({ body: value }),
-  });
+  const parameters = createParameters({ models: catalog.models, state, actions, prefix });
   const paint = h("input", {
     type: "color",
     class: "paint-color",
@@ -144,49 +107,23 @@ export function createControls({ catalog, presets, state, actions, describeMedia
     oninput: () => actions.set({ paint: paint.value }, { history: "replace" }),
     onchange: () => actions.settle(),
   });
-  body.element.append(paint);
-  const opaque = h("p", { class: "reason" });
-  const sky = createChoice({
-    legend: "Light",
-    items: [
-      { value: "day", label: "sky and sun" },
-      { value: "even", label: "even", note: "the same from everywhere: the ball shows R itself" },
-    ],
-    onChange: ([value]) => actions.set({ sky: value }),
-  });
-  const colors = createChoice({
-    legend: "The material's color",
-    items: [
-      { value: "rgb", label: "R, G, B" },
-      { value: "single", label: "one wavelength" },
-    ],
-    onChange: ([value]) => actions.set({ colors: value }),
-  });
+  body.append(paint);
 
-  const panel = h(
-    "div",
-    { class: "panel-body" },
-    h(
-      "div",
-      { class: "choices" },
-      ...sides.map((s) => s.element),
-      h("div", {}, texels.element, parameters.element),
-    ),
-    h("div", { class: "heading" }, h("h2", {}, "Media")),
-    media.element,
-    h(
-      "div",
-      { class: "choices" },
-      colors.element,
-      scene.element,
-      body.element,
-      opaque,
-      sky.element,
-    ),
-    h("div", { class: "rows" }, ...rows.map((r) => r.row.element)),
-  );
+  /** @param {State} now @param {'left' | 'right'} side @param {string} reason */
+  const sideOf = (now, side, reason) => html`<section class="side-choice" aria-label=${side}>
+    <h2>${side}</h2>
+    <span class="picker">
+      <select class="preset" aria-label="Model on the ${side}"
+        @change=${(/** @type {any} */ { target }) => actions.set({ [side]: target.value })}>
+        ${modelOptions(catalog.models, now[side])}
+      </select>
+    </span>
+    ${choices.elements[`${side}_by`]}
+    <p class="reason">${reason}</p>
+  </section>`;
+
+  const panel = h("div", { class: "panel-body" });
   const sheet = createSheet({ pages: rows, body: panel, first: "n_t" });
-
   return {
     element: sheet.element,
     stop() {
@@ -203,26 +140,32 @@ export function createControls({ catalog, presets, state, actions, describeMedia
       media.update(now);
       for (const { name, row } of rows) row.update(now[name]);
       sheet.update();
-      for (const { side, select, how, reason } of sides) {
-        if (select.value !== now[side]) select.value = now[side];
-        how.update([now[`${side}_by`]]);
-        setText(reason, reasons[side]);
-      }
+      choices.update(now);
       const textured = now.left_by === "texture" || now.right_by === "texture";
       texels.element.hidden = !textured;
       if (textured) texels.update(now.texels);
       parameters.update(now, [now.left, now.right]);
-      scene.update([now.scene]);
-      body.update([now.body]);
       const dark = isOpaque(now);
-      body.element.hidden = dark || now.scene !== "ball";
-      setText(opaque, dark ? "It absorbs: what enters does not come back." : "");
+      body.hidden = dark || now.scene !== "ball";
       paint.hidden = now.body !== "paint";
       if (document.activeElement !== paint) paint.value = now.paint;
-      sky.update([now.sky]);
-      sky.element.hidden = now.scene !== "ball";
-      colors.update([now.colors]);
-      colors.element.hidden = coloredMaterial(now, catalog) === null;
+      sky.hidden = now.scene !== "ball";
+      colors.hidden = coloredMaterial(now, catalog) === null;
+      render(
+        html`<div class="choices">
+            ${SIDES.map((side) => sideOf(now, side, reasons[side]))}
+            <div>${texels.element}${parameters.element}</div>
+          </div>
+          <div class="heading"><h2>Media</h2></div>
+          ${media.element}
+          <div class="choices">
+            ${colors} ${scene} ${body}
+            <p class="reason">${dark ? "It absorbs: what enters does not come back." : ""}</p>
+            ${sky}
+          </div>
+          <div class="rows">${rows.map((r) => r.row.element)}</div>`,
+        panel,
+      );
     },
   };
 }

@@ -1,12 +1,13 @@
 /** What is known of both sides: their curves as textures, kept by the questions they answer. */
 
 import { constantTexels, tableOf, texelsOf } from "./curves.js";
-import { NONE } from "./fields.js";
-import { queries, SIDES, sidePaths } from "./queries.js";
-import { UNDEFINED } from "./shader.js";
+import { isEven, isOpaque, isPaint, NONE } from "./fields.js";
+import { coatPaths, queries, SIDES, sidePaths } from "./queries.js";
+import { BODY, HOW, UNDEFINED } from "./shader.js";
 
 /**
  * @typedef {import('./renderer.js').Renderer} Renderer
+ * @typedef {import('./queries.js').Side} Side
  */
 
 /** Curves kept in memory, so that a model seen before is drawn at once. */
@@ -20,7 +21,10 @@ export function createSides(catalog) {
   const made = new Map();
   /** @type {Record<string, string>} what each texture holds */
   let held = {};
+  /** Whether the model held by a side is undefined somewhere. */
   const holes = { left: false, right: false };
+  /** The last that was known of the paint, by channel. @type {any[]} */
+  let coats = [];
 
   /** @template T @param {Map<string, T>} map @param {string} key @param {T} value */
   function keep(map, key, value) {
@@ -49,18 +53,21 @@ export function createSides(catalog) {
         if (answers[name] && kept.get(path) !== answers[name]) keep(kept, path, answers[name]);
     },
 
-    /** Whether the model held by a side is undefined somewhere. @param {'left' | 'right'} side */
-    hasHoles: (side) => holes[side],
-
-    /** What was answered to a question, if it is known. @param {string | undefined} path */
-    answer: (path) => (path === undefined ? null : (kept.get(path) ?? null)),
+    /** Why a side's model does not apply here. @param {State} state @param {Side} side @returns {string} */
+    reason(state, side) {
+      const [path = ""] = Object.values(sidePaths(state, catalog, side));
+      /** @type {Curve[]} */
+      const curves = kept.get(path)?.curves ?? [];
+      const reason = curves.find((c) => c.model === state[side])?.reason;
+      return reason ? `Outside its domain: ${reason}` : "";
+    },
 
     /**
      * Put into the renderer what is known for this state; what is on its way stays as it was.
      * @param {Renderer} renderer
      * @param {State} state
      * @param {boolean} force after the renderer lost all it had
-     * @returns {boolean} whether both sides are this state's
+     * @returns {boolean} whether all is this state's
      */
     fill(renderer, state, force) {
       if (force) held = {};
@@ -85,12 +92,37 @@ export function createSides(catalog) {
         }
       }
       const { water } = queries(state, catalog);
-      const found = water === undefined ? null : texels([water], "exact");
-      if (found && held.water !== water) {
-        renderer.setCurve("water", found);
-        held.water = /** @type {string} */ (water);
+      if (water !== undefined) {
+        const found = texels([water], "exact");
+        if (found && held.water !== water) {
+          renderer.setCurve("water", found);
+          held.water = water;
+        }
+        all &&= found !== null;
       }
-      return all && (water === undefined || found !== null);
+      const fresh = Object.values(coatPaths(state, catalog)).map((path) => kept.get(path));
+      if (fresh.includes(undefined)) return false;
+      coats = fresh;
+      return all;
+    },
+
+    /** What the picture is made of. @param {State} now */
+    scene(now) {
+      /** @param {Side} side @returns {import('./shader.js').Variant} */
+      const variant = (side) => ({
+        how: HOW[/** @type {keyof typeof HOW} */ (now[`${side}_by`])],
+        body: isOpaque(now) ? BODY.opaque : isPaint(now) ? BODY.paint : BODY.clear,
+        water: now.scene === "water",
+        even: isEven(now),
+        holes: holes[side],
+      });
+      const external = coats[0]?.external ?? 0;
+      return {
+        sides: { left: variant("left"), right: variant("right") },
+        eta: now.n_i / now.n_t,
+        external,
+        escape: coats.length ? coats.map((coat) => coat.body / (1 - external) ** 2) : [0, 0, 0],
+      };
     },
   };
 }

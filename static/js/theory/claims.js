@@ -2,8 +2,9 @@
 
 import { EXAMPLES } from "../models/examples.js";
 import { percent, signed, significant } from "../numbers/format.js";
-import { h, setText } from "../page/dom.js";
+import { h } from "../page/dom.js";
 import { pageLink } from "../page/links.js";
+import { html, nothing, render } from "../page/lit.js";
 import { words } from "../page/prose.js";
 
 /**
@@ -14,7 +15,7 @@ import { words } from "../page/prose.js";
  *   found: string, figures: Figure[], parts: Part[], example: string | null}} Claim
  */
 
-/** What colour a verdict has. @type {Record<string, string>} */
+/** What color a verdict has. @type {Record<string, string>} */
 const MOODS = {
   holds: "good",
   "holds in part": "part",
@@ -42,190 +43,119 @@ export function chosen(claims, { verdict, by }) {
   );
 }
 
-/** @param {Claim} claim */
-function card(claim) {
-  const { source } = claim;
-  const example = EXAMPLES.find((e) => e.id === claim.example);
-  const state = example
-    ? Object.fromEntries(Object.entries(example.state).map(([key, value]) => [key, String(value)]))
-    : null;
-  return h(
-    "article",
-    { class: "claim", id: `claim-${claim.id}`, tabindex: "-1" },
-    h(
-      "p",
-      { class: "claim-head" },
-      h(
-        "span",
-        { class: "claim-verdict", "data-mood": MOODS[claim.verdict] ?? "none" },
-        claim.verdict,
-      ),
-      h(
-        "a",
-        { href: source.url, rel: "noreferrer", target: "_blank", title: source.title },
-        sourceName(source),
-      ),
-      h("span", {}, source.where),
-    ),
-    h("h3", {}, ...words(claim.title)),
-    h("p", { class: "claimed" }, ...words(claim.claimed)),
-    h("p", { class: "found" }, h("b", {}, "Measured: "), ...words(claim.found)),
-    h("p", { class: "hint" }, ...words(claim.domain)),
-    claim.parts.length
-      ? h(
-          "ul",
-          { class: "parts" },
-          ...claim.parts.map((part) =>
-            h(
-              "li",
-              { "data-holds": String(part.holds) },
-              h("b", {}, part.holds ? "yes" : "no"),
-              " ",
-              ...words(part.says),
-            ),
-          ),
-        )
-      : null,
-    h(
-      "details",
-      { class: "definitions" },
-      h(
-        "summary",
-        {},
-        claim.figures.length === 1
-          ? "The figure and the request that gives it"
-          : `${claim.figures.length} figures and the requests that give them`,
-      ),
-      h(
-        "table",
-        { class: "measured figures" },
-        h(
-          "thead",
-          {},
-          h("tr", {}, ...["value", "what", "request"].map((t) => h("th", { scope: "col" }, t))),
-        ),
-        h(
-          "tbody",
-          {},
-          ...claim.figures.map((figure) =>
-            h(
-              "tr",
-              {},
-              h("td", {}, amount(figure)),
-              h("td", {}, ...words(figure.says)),
-              h(
-                "td",
-                {},
-                h(
-                  "a",
-                  { href: figure.request.replace(/^\//, ""), title: `read ${figure.reading}` },
-                  h("code", {}, figure.request),
-                ),
-              ),
-            ),
-          ),
-        ),
-      ),
-    ),
-    state
-      ? h(
-          "p",
-          { class: "lesson-more" },
-          pageLink("See it in Compare", "compare", { ...state, example: claim.example }),
-        )
-      : null,
-  );
+/** @param {Figure} figure */
+const figureRow = (figure) => html`<tr>
+  <td>${amount(figure)}</td>
+  <td>${words(figure.says)}</td>
+  <td><a href=${figure.request.replace(/^\//, "")} title="read ${figure.reading}"><code>${figure.request}</code></a></td>
+</tr>`;
+
+/** @param {Part} part */
+const partItem = ({ holds, says }) =>
+  html`<li data-holds=${holds}><b>${holds ? "yes" : "no"}</b> ${words(says)}</li>`;
+
+/** @param {string} id of an example of the Compare view */
+function exampleLink(id) {
+  const { state = {} } = EXAMPLES.find((e) => e.id === id) ?? {};
+  const texts = Object.entries(state).map(([key, value]) => [key, String(value)]);
+  const to = { ...Object.fromEntries(texts), example: id };
+  return html`<p class="lesson-more">${pageLink("See it in Compare", "compare", to)}</p>`;
 }
 
-/**
- * @param {object} options
- * @param {Pick<Actions, 'set'>} options.actions
- */
-export function createClaimsPage({ actions }) {
-  const verdicts = h("div", { class: "filters", role: "group", "aria-label": "Verdict" });
-  const sources = h("select", { class: "by-source", "aria-label": "Source" });
-  sources.addEventListener("change", () => actions.set({ by: sources.value || null, claim: null }));
-  const bySource = h("label", { hidden: true }, "Source ", sources);
-  const count = h("p", { class: "hint", role: "status" });
-  const cards = h("div", { class: "claim-cards" });
-  const element = h(
-    "div",
-    { class: "claims-page" },
-    h("h2", {}, "Claims, measured"),
-    h(
-      "p",
-      { class: "intro" },
-      "What papers, notes and code say of these formulas, and what this server measures. Every figure is the answer to the request beside it: follow it, or run it elsewhere.",
-    ),
-    h("div", { class: "claim-tools" }, verdicts, bySource, count),
-    cards,
+/** @param {Claim} claim */
+function card({ id, title, claimed, source, domain, verdict, found, figures, parts, example }) {
+  const known = example !== null && EXAMPLES.some((e) => e.id === example);
+  const summary =
+    figures.length === 1
+      ? "The figure and the request that gives it"
+      : `${figures.length} figures and the requests that give them`;
+  const element = h("article", { class: "claim", id: `claim-${id}`, tabindex: "-1" });
+  render(
+    html`<p class="claim-head">
+        <span class="claim-verdict" data-mood=${MOODS[verdict] ?? "none"}>${verdict}</span>
+        <a href=${source.url} rel="noreferrer" target="_blank" title=${source.title}>${sourceName(source)}</a>
+        <span>${source.where}</span>
+      </p>
+      <h3>${words(title)}</h3>
+      <p class="claimed">${words(claimed)}</p>
+      <p class="found"><b>Measured: </b>${words(found)}</p>
+      <p class="hint">${words(domain)}</p>
+      ${parts.length ? html`<ul class="parts">${parts.map(partItem)}</ul>` : nothing}
+      <details class="definitions">
+        <summary>${summary}</summary>
+        <table class="measured figures">
+          <thead><tr><th scope="col">value</th><th scope="col">what</th><th scope="col">request</th></tr></thead>
+          <tbody>${figures.map(figureRow)}</tbody>
+        </table>
+      </details>
+      ${known ? exampleLink(example) : nothing}`,
+    element,
   );
+  return element;
+}
 
+/** @param {Pick<ViewContext, 'actions'>} context */
+export function createClaimsPage({ actions }) {
+  const element = h("div", { class: "claims-page" });
   /** @type {Claim[]} */
   let claims = [];
   /** @type {Map<string, HTMLElement>} */
-  let made = new Map();
-  /** @type {{verdict: string | null, button: HTMLElement}[]} */
-  let buttons = [];
+  let cards = new Map();
   let shown = "";
+  let count = "";
 
-  /** @param {Claim[]} all */
-  function fill(all) {
-    claims = all;
-    made = new Map(all.map((claim) => [claim.id, card(claim)]));
-    cards.replaceChildren(...made.values());
-    const counts = new Map();
-    for (const { verdict } of all) counts.set(verdict, (counts.get(verdict) ?? 0) + 1);
-    const order = [...Object.keys(MOODS), ...counts.keys()].filter((v) => counts.has(v));
-    const offered = [...new Set(order)].map((verdict) => [verdict, counts.get(verdict)]);
-    buttons = [[null, all.length], ...offered].map(([verdict, many]) => ({
-      verdict,
-      button: h(
-        "button",
-        {
-          type: "button",
-          class: "medium",
-          onclick: () => actions.set({ verdict, claim: null }),
-        },
-        `${verdict ?? "all"} (${many})`,
-      ),
-    }));
-    verdicts.replaceChildren(...buttons.map((b) => b.button));
-    bySource.hidden = false;
-    const names = [...new Set(all.map((c) => sourceName(c.source)))].sort();
-    sources.replaceChildren(
-      h("option", { value: "" }, "all"),
-      ...names.map((name) => h("option", { value: name }, name)),
-    );
+  /** @param {State} now */
+  function tools(now) {
+    const verdicts = claims.map((c) => c.verdict);
+    const order = [...new Set([...Object.keys(MOODS), ...verdicts])];
+    const offered = [null, ...order.filter((one) => verdicts.includes(one))];
+    const names = [...new Set(claims.map((c) => sourceName(c.source)))].sort();
+    const filter = (/** @type {string | null} */ verdict) => {
+      const many = verdicts.filter((one) => verdict === null || one === verdict).length;
+      return html`<button type="button" class="medium" aria-pressed=${verdict === now.verdict}
+        @click=${() => actions.set({ verdict, claim: null })}>${verdict ?? "all"} (${many})</button>`;
+    };
+    return html`<div class="filters" role="group" aria-label="Verdict">${claims.length ? offered.map(filter) : nothing}</div>
+      <label ?hidden=${claims.length === 0}>Source
+        <select class="by-source" aria-label="Source"
+          @change=${(/** @type {any} */ { target }) => actions.set({ by: target.value || null, claim: null })}>
+          <option value="">all</option>
+          ${names.map((name) => html`<option value=${name}>${name}</option>`)}
+        </select>
+      </label>
+      <p class="hint" role="status">${count}</p>`;
   }
 
   return {
     element,
     /** @param {State} now @param {Record<string, any>} answers */
     update(now, answers) {
-      if (answers.claims && claims.length === 0) fill(answers.claims.claims);
-      const wanted = { verdict: now.verdict, by: now.by };
-      const visible = new Set(chosen(claims, /** @type {any} */ (wanted)).map((c) => c.id));
-      for (const [id, element] of made) element.hidden = !visible.has(id);
-      for (const { verdict, button } of buttons)
-        button.setAttribute("aria-pressed", String(verdict === now.verdict));
-      sources.value = now.by ?? "";
-      const share = claims.length ? percent(visible.size / claims.length) : "";
-      setText(
-        count,
-        claims.length === 0
-          ? "Measuring …"
-          : visible.size === claims.length
-            ? `${claims.length} claims`
-            : `${visible.size} of ${claims.length} claims, ${share}`,
+      if (answers.claims && claims.length === 0) {
+        claims = answers.claims.claims;
+        cards = new Map(claims.map((claim) => [claim.id, card(claim)]));
+      }
+      const { verdict, by } = now;
+      const visible = new Set(chosen(claims, { verdict, by }).map((c) => c.id));
+      for (const [id, element] of cards) element.hidden = !visible.has(id);
+      const all = claims.length;
+      const some = `${visible.size} of ${all} claims, ${percent(visible.size / all)}`;
+      count = all === 0 ? "Measuring …" : visible.size === all ? `${all} claims` : some;
+      render(
+        html`<h2>Claims, measured</h2>
+          <p class="intro">What papers, notes and code say of these formulas, and what this server measures. Every figure is the answer to the request beside it: follow it, or run it elsewhere.</p>
+          <div class="claim-tools">${tools(now)}</div>
+          <div class="claim-cards">${[...cards.values()]}</div>`,
+        element,
       );
-      if (now.claim && now.claim !== shown) {
-        const target = made.get(now.claim);
-        target?.scrollIntoView({ block: "start" });
-        target?.focus({ preventScroll: true });
-        if (target) shown = now.claim;
+      const select = element.querySelector("select");
+      if (select) select.value = by ?? "";
+      const target = cards.get(now.claim);
+      if (target && now.claim !== shown) {
+        target.scrollIntoView({ block: "start" });
+        target.focus({ preventScroll: true });
+        shown = now.claim;
       }
     },
-    sentence: () => count.textContent ?? "",
+    sentence: () => count,
   };
 }

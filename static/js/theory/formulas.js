@@ -1,15 +1,17 @@
 /** The collection of formulas: found by a word, each with its letters, source, error and live curve. */
 
-import { createRow } from "../controls/row.js";
 import { locate, read } from "../curves/reading.js";
 import { modelStyle, shortTitle } from "../models/look.js";
 import { plain, signed, significant } from "../numbers/format.js";
-import { h, setText } from "../page/dom.js";
-import { copyText, createDataTables, flash } from "../page/exports.js";
-import { pageLink } from "../page/links.js";
-import { display, math, pieces, words } from "../page/prose.js";
+import { h } from "../page/dom.js";
+import { copying, createDataTables } from "../page/exports.js";
+import { addressOf, clicked, pageLink } from "../page/links.js";
+import { html, nothing, render } from "../page/lit.js";
+import { display, math, words } from "../page/prose.js";
 import { createPlot } from "../plot/plot.js";
 import { UNTOUCHED } from "./fields.js";
+import { FIRST_FORMULA } from "./queries.js";
+import { createOwnRow, INDICES } from "./rows.js";
 
 /**
  * @typedef {{latex: string, meaning: string, unit: string}} Sign
@@ -21,8 +23,6 @@ import { UNTOUCHED } from "./fields.js";
  * @typedef {{formula: string, n_i: number, n_t: number, k_t: number, x: AxisName, at: number[], y: AxisName,
  *   series: {id: string, title: string, values: (number | null)[]}[]}} FormulaCurve
  */
-
-export const FIRST = "model.exact";
 
 const KINDS = /** @type {const} */ ({
   model: "Reflectance",
@@ -42,6 +42,17 @@ const LOOKS = [
   { color: "--Rs", dash: "solid", width: 1.9 },
   { color: "--Rp", dash: "dash", width: 1.9 },
 ];
+
+/** Media and an angle at which there is something to see. @type {Record<string, Record<string, string | number>>} */
+const ANGLES = {
+  brewster: { theta_i_deg: 56.309932474020215 },
+  pseudo_brewster: { k_t: 3 },
+  principal: { k_t: 3, show: "phase" },
+  refraction: { n_i: 1.5, n_t: 1, theta_i_deg: 30 },
+};
+const CRITICAL = { n_i: 1.5, n_t: 1, theta_i_deg: 41.810314895778596 };
+/** What the converter takes. */
+const GIVEN = ["ior", "nk", "f0", "f0_srgb", "specular", "reflectance", "rg", "dg"];
 
 /** Where the formula is used: a view and its state. @param {Formula} formula @returns {[string, string, Record<string, string | number>]} */
 export function used({ id, kind, takes }) {
@@ -64,22 +75,8 @@ export function used({ id, kind, takes }) {
     else if (/internal|^egan_hilgeman_1973$|reciprocity/.test(name)) to.surface = "inside";
     return ["Open in Albedo", "albedo", to];
   }
-  if (kind === "angle") {
-    if (name === "pseudo_brewster") return ["Open in Explore", "explore", { k_t: 3 }];
-    if (name === "principal") return ["Open in Explore", "explore", { k_t: 3, show: "phase" }];
-    return name === "brewster"
-      ? ["Open in Explore", "explore", { theta_i_deg: 56.309932474020215 }]
-      : [
-          "Open in Explore",
-          "explore",
-          { n_i: 1.5, n_t: 1, theta_i_deg: name === "refraction" ? 30 : 41.810314895778596 },
-        ];
-  }
-  const from = ["ior", "nk", "f0", "f0_srgb", "specular", "reflectance", "rg", "dg"].includes(name)
-    ? name
-    : name === "f0_hex"
-      ? "hex"
-      : "nk";
+  if (kind === "angle") return ["Open in Explore", "explore", ANGLES[name] ?? CRITICAL];
+  const from = name === "f0_hex" ? "hex" : GIVEN.includes(name) ? name : "nk";
   return ["Open the converter", "compare", { from }];
 }
 
@@ -98,7 +95,30 @@ function significantOrPower(value) {
   return value < 1e-3 ? significant(value, 3) : signed(plain(value, 3));
 }
 
-/** @param {ViewContext} context */
+/** @param {Formula} formula */
+const facts = ({ validity, symbols, measured, convention, reference, links }) => html`
+  <h4>Where it holds</h4>
+  <p>${words(validity)}</p>
+  <h4>Letters</h4>
+  <dl class="letters">
+    ${symbols.map(({ latex, meaning, unit }) => html`<div><dt>${math(latex)}</dt><dd>${words(meaning)}${unit ? html`<span class="unit"> (${unit})</span>` : nothing}</dd></div>`)}
+  </dl>
+  <h4>Measured error</h4>
+  <table class="measured">
+    <thead><tr>${["error", "of", "over", "against"].map((t) => html`<th scope="col">${t}</th>`)}</tr></thead>
+    <tbody>
+      ${measured.map((one) => html`<tr><td>${amount(one)}</td><td>${one.of}</td><td>${words(one.over)}</td><td>${one.against}</td></tr>`)}
+    </tbody>
+  </table>
+  <h4>Convention</h4>
+  <p>${words(convention)}</p>
+  <h4>Source</h4>
+  <p>${reference}</p>
+  <p class="source-links">
+    ${links.map((href) => html`<a href=${href} rel="noreferrer" target="_blank">${href.replace(/^https:\/\/(www\.)?/, "")}</a>`)}
+  </p>`;
+
+/** @param {Pick<ViewContext, 'catalog' | 'actions' | 'say'>} context */
 export function createFormulas({ catalog, actions, say }) {
   const box = h("input", {
     type: "search",
@@ -107,52 +127,16 @@ export function createFormulas({ catalog, actions, say }) {
     "aria-label": "Find a formula",
     autocomplete: "off",
     spellcheck: "false",
+    oninput: () => actions.set({ word: box.value.trim() || null }, { history: "replace" }),
+    onchange: actions.settle,
   });
-  box.addEventListener("input", () =>
-    actions.set({ word: box.value.trim() || null }, { history: "replace" }),
-  );
-  box.addEventListener("change", actions.settle);
-  const groups = h("div", { class: "formula-groups" });
-  const none = h("p", { class: "hint", hidden: true }, "No formula is called so.");
-  const nav = h(
-    "nav",
-    { class: "formula-list", "aria-label": "Formulas" },
-    h("div", { class: "find" }, h("h2", {}, "Formulas"), box, none),
-    groups,
-  );
-  const kind = h("p", { class: "lesson-count" });
-  const title = h("h3", { class: "lesson-title", tabindex: "-1" });
-  const equation = h("div", { class: "formula-place" });
-  const facts = h("div", { class: "formula-facts" });
-  const actionsPlace = h("p", { class: "lesson-more" });
-  const rowsPlace = h("div", { class: "rows lesson-rows" });
+  const nav = h("nav", { class: "formula-list", "aria-label": "Formulas" });
+  const detail = h("article", { class: "formula-detail" });
+  const element = h("div", { class: "formulas" }, nav, detail);
   const plotFrame = h("div", { class: "frame" });
   const tables = createDataTables("The curve as a table", {
     "Table of the curve": () => [plot.table()],
   });
-  const detail = h(
-    "article",
-    { class: "formula-detail" },
-    kind,
-    title,
-    equation,
-    h(
-      "div",
-      { class: "formula-columns" },
-      facts,
-      h(
-        "section",
-        { class: "formula-curve", "aria-label": "Its curve" },
-        h("h4", {}, "Its curve"),
-        h("div", { class: "plot-host" }, plotFrame),
-        rowsPlace,
-        actionsPlace,
-        tables.element,
-      ),
-    ),
-  );
-  const element = h("div", { class: "formulas" }, nav, detail);
-
   const plot = createPlot(plotFrame, {
     name: "Curve of the formula",
     x: { title: "", range: null },
@@ -162,15 +146,17 @@ export function createFormulas({ catalog, actions, say }) {
   });
   /** @type {Formula[]} */
   let formulas = [];
-  /** @type {{formula: Formula, li: HTMLElement, link: HTMLElement}[]} */
-  let entries = [];
-  let shown = "";
+  /** What the list was drawn of. @type {unknown[]} */
+  let listed = [];
+  /** @type {Formula | null | undefined} null before there are any, undefined where there is none of the name */
+  let shown = null;
   /** @type {FormulaCurve | null} */
   let drawn = null;
   /** @type {Trace[]} */
   let traces = [];
-  /** @type {Map<string, ReturnType<typeof createRow>>} */
-  let rows = new Map();
+  /** @type {{own: string, preset: number, row: ReturnType<typeof createOwnRow>}[]} */
+  let rows = [];
+  show(null, "");
 
   /** @param {number} x */
   function point(x) {
@@ -180,164 +166,90 @@ export function createFormulas({ catalog, actions, say }) {
     );
   }
 
-  /** @param {Formula[]} all */
-  function fill(all) {
-    formulas = all;
-    entries = all.map((formula) => {
-      const to = { section: "formulas", formula: formula.id };
-      const link = pageLink(formula.title, "theory", to, () => {
+  /** The formulas that hold all words, by kind. @param {string | null} find @param {string} current */
+  function list(find, current) {
+    const now = [formulas, find, current];
+    if (now.every((one, i) => one === listed[i])) return;
+    listed = now;
+    const wanted = (find ?? "").toLowerCase().split(/\s+/).filter(Boolean);
+    const found = formulas.filter(({ id, title, reference }) => {
+      const text = `${id} ${title} ${reference}`.toLowerCase();
+      return wanted.every((word) => text.includes(word));
+    });
+    /** @param {Formula} formula */
+    const item = ({ id, title }) => {
+      const to = { section: "formulas", formula: id };
+      const go = () => {
         actions.set({ ...UNTOUCHED, ...to });
         detail.scrollIntoView({ block: "nearest" });
-        title.focus({ preventScroll: true });
-      });
-      return { formula, link, li: h("li", {}, link) };
-    });
-    groups.replaceChildren(
-      ...Object.entries(KINDS).map(([id, name]) =>
-        h(
-          "section",
-          { "data-kind": id },
-          h("h3", {}, name),
-          h("ul", {}, ...entries.filter((e) => e.formula.kind === id).map((e) => e.li)),
-        ),
-      ),
+        detail.querySelector("h3")?.focus({ preventScroll: true });
+      };
+      return html`<li><a href=${addressOf("theory", to)} aria-current=${id === current ? "true" : nothing}
+        @click=${clicked(go)}>${title}</a></li>`;
+    };
+    /** @param {[string, string]} kind */
+    const group = ([id, name]) => {
+      const some = found.filter((f) => f.kind === id);
+      return some.length
+        ? html`<section data-kind=${id}><h3>${name}</h3><ul>${some.map(item)}</ul></section>`
+        : nothing;
+    };
+    render(
+      html`<div class="find">
+          <h2>Formulas</h2>
+          ${box}
+          <p class="hint" ?hidden=${found.length > 0 || formulas.length === 0}>No formula is called so.</p>
+        </div>
+        <div class="formula-groups">${Object.entries(KINDS).map(group)}</div>`,
+      nav,
     );
   }
 
-  /** @param {string | null} find */
-  function filter(find) {
-    const wanted = (find ?? "").toLowerCase().split(/\s+/).filter(Boolean);
-    let any = false;
-    for (const { formula, li } of entries) {
-      const text = `${formula.id} ${formula.title} ${formula.reference}`.toLowerCase();
-      li.hidden = !wanted.every((word) => text.includes(word));
-      any ||= !li.hidden;
-    }
-    for (const group of groups.children)
-      group.toggleAttribute("hidden", !group.querySelector("li:not([hidden])"));
-    none.hidden = any || entries.length === 0;
-  }
-
-  /** @param {Formula} formula */
-  function build(formula) {
-    for (const { formula: one, link } of entries) {
-      if (one === formula) link.setAttribute("aria-current", "true");
-      else link.removeAttribute("aria-current");
-    }
-    const current = entries.find((e) => e.formula === formula)?.li;
-    for (const box of [groups, nav])
-      if (current && box.scrollHeight > box.clientHeight)
+  /** Scroll the list, not the page, to the formula that is shown. */
+  function reveal() {
+    const current = nav.querySelector("[aria-current]");
+    for (const box of [nav.querySelector(".formula-groups"), nav])
+      if (box && current && box.scrollHeight > box.clientHeight)
         box.scrollTop +=
           current.getBoundingClientRect().top - box.getBoundingClientRect().top - 120;
-    setText(kind, KINDS[/** @type {keyof typeof KINDS} */ (formula.kind)]);
-    setText(title, formula.title);
-    equation.replaceChildren(display(formula.latex, formula.title));
-    const copy = h("button", { type: "button", class: "quiet" }, "copy LaTeX");
-    copy.addEventListener("click", async () => {
-      const done = await copyText(formula.latex);
-      flash(copy, done);
-      say(done ? "LaTeX copied" : "Copying is not allowed here");
+  }
+
+  /** @param {Formula | null | undefined} formula @param {string} id */
+  function show(formula, id) {
+    shown = formula;
+    rows = (formula?.takes ?? []).map(({ name, symbol, value: preset, minimum, maximum }) => {
+      const { own, label, range } = /** @type {typeof TAKES[string]} */ (TAKES[name]);
+      const row = createOwnRow(own, actions, {
+        ...{ preset, label, range, steps: INDICES, prefix: "formula-" },
+        parameter: { name, symbol, minimum, maximum },
+      });
+      return { own, preset, row };
     });
-    equation.append(copy);
-    facts.replaceChildren(
-      h("h4", {}, "Where it holds"),
-      h("p", {}, ...words(formula.validity)),
-      h("h4", {}, "Letters"),
-      h(
-        "dl",
-        { class: "letters" },
-        ...formula.symbols.map(({ latex, meaning, unit }) =>
-          h(
-            "div",
-            {},
-            h("dt", {}, math(latex)),
-            h(
-              "dd",
-              {},
-              ...words(meaning),
-              unit ? h("span", { class: "unit" }, ` (${unit})`) : null,
-            ),
-          ),
-        ),
-      ),
-      h("h4", {}, "Measured error"),
-      h(
-        "table",
-        { class: "measured" },
-        h(
-          "thead",
-          {},
-          h(
-            "tr",
-            {},
-            ...["error", "of", "over", "against"].map((t) => h("th", { scope: "col" }, t)),
-          ),
-        ),
-        h(
-          "tbody",
-          {},
-          ...formula.measured.map((one) =>
-            h(
-              "tr",
-              {},
-              h("td", {}, amount(one)),
-              h("td", {}, one.of),
-              h("td", {}, ...words(one.over)),
-              h("td", {}, one.against),
-            ),
-          ),
-        ),
-      ),
-      h("h4", {}, "Convention"),
-      h("p", {}, ...words(formula.convention)),
-      h("h4", {}, "Source"),
-      h("p", {}, formula.reference),
-      h(
-        "p",
-        { class: "source-links" },
-        ...formula.links.map((href) =>
-          h(
-            "a",
-            { href, rel: "noreferrer", target: "_blank" },
-            href.replace(/^https:\/\/(www\.)?/, ""),
-          ),
-        ),
-      ),
+    const none = formula === undefined;
+    const kind = formula ? KINDS[/** @type {keyof typeof KINDS} */ (formula.kind)] : "";
+    const copy =
+      formula &&
+      html`${display(formula.latex, formula.title)}
+      <button type="button" class="quiet" @click=${copying(() => formula.latex, say, "LaTeX copied")}>copy LaTeX</button>`;
+    element.toggleAttribute("data-missing", none);
+    render(
+      html`<p class="lesson-count">${kind}</p>
+        <h3 class="lesson-title" tabindex="-1">${none ? "There is no such formula" : formula?.title}</h3>
+        <div class="formula-place">${copy}</div>
+        <div class="formula-columns">
+          <div class="formula-facts">
+            ${none ? html`<p>${id} is not among them; choose one of the list.</p>` : formula && facts(formula)}
+          </div>
+          <section class="formula-curve" aria-label="Its curve">
+            <h4>Its curve</h4>
+            <div class="plot-host">${plotFrame}</div>
+            <div class="rows lesson-rows">${rows.map(({ row }) => row.element)}</div>
+            <p class="lesson-more">${formula && pageLink(...used(formula))}</p>
+            ${tables.element}
+          </section>
+        </div>`,
+      detail,
     );
-    const [label, view, to] = used(formula);
-    actionsPlace.replaceChildren(pageLink(label, view, to));
-    rows = new Map(
-      formula.takes.map((taken) => {
-        const {
-          own,
-          label: name,
-          range,
-        } = /** @type {{own: string, label: string, range: [number, number]}} */ (
-          TAKES[taken.name]
-        );
-        const row = createRow({
-          parameter: {
-            name: taken.name,
-            symbol: taken.symbol,
-            minimum: taken.minimum,
-            maximum: taken.maximum,
-          },
-          prefix: "formula-",
-          preset: taken.value,
-          label: name,
-          range,
-          steps: { step: 0.01, fine: 0.001, page: 0.1 },
-          onChange: (value, moving) =>
-            actions.set(
-              { [own]: value === taken.value ? null : value },
-              { history: moving ? "replace" : "push" },
-            ),
-          onSettle: actions.settle,
-        });
-        return [taken.name, row];
-      }),
-    );
-    rowsPlace.replaceChildren(...[...rows.values()].map((r) => r.element));
   }
 
   /** @param {AxisName} axis */
@@ -397,37 +309,24 @@ export function createFormulas({ catalog, actions, say }) {
     element,
     /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
     update(now, answers, moving) {
-      if (answers.formulas && formulas.length === 0) fill(answers.formulas.formulas);
+      if (answers.formulas && formulas.length === 0) formulas = answers.formulas.formulas;
       if (document.activeElement !== box) box.value = now.word ?? "";
-      filter(now.word);
-      const id = now.formula ?? FIRST;
+      const id = now.formula ?? FIRST_FORMULA;
+      list(now.word, id);
       const formula = formulas.find((f) => f.id === id);
-      if (formula && shown !== id) {
-        shown = id;
-        build(formula);
-      } else if (formulas.length > 0 && !formula) {
-        shown = "";
-        setText(kind, "");
-        setText(title, "There is no such formula");
-        equation.replaceChildren();
-        facts.replaceChildren(
-          h("p", {}, ...pieces(`${id} is not among them; choose one of the list.`)),
-        );
-        rowsPlace.replaceChildren();
-        actionsPlace.replaceChildren();
+      if (formulas.length > 0 && (formula !== shown || !formula)) {
+        show(formula, id);
+        reveal();
       }
-      element.toggleAttribute("data-missing", formulas.length > 0 && !formula);
-      for (const taken of formula?.takes ?? []) {
-        const own = TAKES[taken.name]?.own ?? "";
-        rows.get(taken.name)?.update(now[own] ?? taken.value);
-      }
+      for (const { own, preset, row } of rows) row.update(now[own] ?? preset);
       if (answers.curve?.formula === id) draw(answers.curve, moving);
     },
     /** @param {State} now */
-    sentence: (now) => (now.formula ? `Formula: ${title.textContent}` : ""),
+    sentence: (now) =>
+      now.formula ? `Formula: ${shown?.title ?? "There is no such formula"}` : "",
     theme: () => plot.theme(),
     stop() {
-      for (const row of rows.values()) row.stop();
+      for (const { row } of rows) row.stop();
     },
     destroy: () => plot.destroy(),
   };

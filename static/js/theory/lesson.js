@@ -8,6 +8,7 @@ import { rowsOf } from "../errors/answers.js";
  * @typedef {{n_i: number, n_t: number, k_t: number, deg: number, polarization: string, of: string}} Setting
  * @typedef {{setting: Setting, reading: Reading | null, answers: Record<string, any>, state: State}} Scene what is
  *   on the picture now
+ * @typedef {Scene & {reading: Reading}} ReadScene
  * @typedef {'own_i' | 'own_n' | 'own_k' | 'own_deg'} RowName
  * @typedef {object} Try
  * @property {string} say what to do
@@ -24,12 +25,12 @@ import { rowsOf } from "../errors/answers.js";
  * @property {Partial<Setting>} at
  * @property {Partial<Record<RowName, [number, number]>>} [rows] what can be moved, with the slider's range
  * @property {string[]} [models]
- * @property {string[]} [quantities] curves of the exact solution
+ * @property {string[]} [quantities] curves of the exact solution; R alone if nothing else is said
  * @property {boolean} [polarized] whether the polarization can be chosen
  * @property {readonly [string, string]} [names] of the two media, as long as they are the lesson's own
  * @property {string[]} [media] presets to choose among
  * @property {string[]} [errors] models whose largest error is told
- * @property {(scene: Scene) => string} [live] a sentence that follows the picture
+ * @property {(scene: ReadScene) => string} [live] a sentence that follows the picture
  * @property {Try[]} [tries]
  * @property {[string, string, Record<string, string | number>][]} [more] text, view and state of links
  */

@@ -1,10 +1,11 @@
 /** Lessons one after the other: the text, a picture to touch, things to try, where to go on. */
 
 import { createCoat } from "../coat/coat.js";
-import { landmarksOf } from "../curves/reading.js";
+import { landmarksOf, sameMedia } from "../curves/reading.js";
 import { percent, plain } from "../numbers/format.js";
-import { h, setText } from "../page/dom.js";
-import { pageLink } from "../page/links.js";
+import { h } from "../page/dom.js";
+import { addressOf, clicked, pageLink } from "../page/links.js";
+import { html, nothing, render } from "../page/lit.js";
 import { pieces } from "../page/prose.js";
 import { UNTOUCHED } from "./fields.js";
 import { settingOf } from "./lesson.js";
@@ -14,6 +15,7 @@ import { createStage } from "./stage.js";
 /**
  * @typedef {import('./lesson.js').Lesson} Lesson
  * @typedef {import('./lesson.js').Scene} Scene
+ * @typedef {import('./lesson.js').Try} Try
  */
 
 /** What the lines of a color picture are, by the models beside the spectrum. @type {Record<string, string>} */
@@ -23,6 +25,15 @@ const KEYS = {
   "exact,f82_tint":
     "Exact from the spectrum; Fresnel from averaged n and k (dotted); F82-tint from two colors (dashed).",
 };
+
+/** What a lesson says, typeset once. @param {Lesson} lesson */
+function prepared({ code, text, tries = [] }) {
+  return {
+    body: html`${code ? html`<pre class="trap-code"><code>${code}</code></pre>` : nothing}
+      ${text.map((paragraph) => html`<p>${pieces(paragraph)}</p>`)}`,
+    tries: tries.map(({ say, reply }) => ({ say: pieces(say), reply: pieces(reply) })),
+  };
+}
 
 /**
  * @param {object} options
@@ -35,8 +46,29 @@ const KEYS = {
 export function createLessons({ lessons, key, title, intro, context }) {
   const { catalog, presets, state, actions, say, save } = context;
   const section = key === "step" ? "path" : "traps";
-  /** @type {Set<string>} */
+  /** @type {Set<Try>} */
   const achieved = new Set();
+  const stage = createStage({
+    catalog,
+    name: "Reflectance against the angle of incidence",
+    actions,
+  });
+  const coat = createCoat({ presets, state, actions, save, say, prefix: `${key}-` });
+  const element = h("div", { class: `lessons ${section}` });
+
+  let shown = lessonOf(state());
+  let said = prepared(shown);
+  /** @type {ReturnType<typeof createRows> | null} */
+  let rows = null;
+  /** @type {HTMLElement[]} where to go on from here */
+  let links = [];
+  /** What follows the picture. @type {unknown} */
+  let live = "";
+
+  /** @param {State} now @returns {Lesson} */
+  function lessonOf(now) {
+    return /** @type {Lesson} */ (lessons.find((l) => l.id === now[key]) ?? lessons[0]);
+  }
 
   /** @param {string} words @param {State} to another place of this view */
   const inside = (words, to) =>
@@ -45,218 +77,150 @@ export function createLessons({ lessons, key, title, intro, context }) {
       window.scrollTo(0, 0);
     });
 
-  /** @param {Lesson} lesson @param {boolean} [focus] */
-  function go(lesson, focus = false) {
+  /** @param {Lesson | undefined} lesson */
+  function go(lesson) {
+    if (!lesson) return;
     actions.set({ ...UNTOUCHED, [key]: lesson.id });
-    if (!focus) return;
-    text.scrollIntoView({ block: "nearest" });
-    heading.focus({ preventScroll: true });
-  }
-
-  const list = h("ol", { class: "lesson-list", "data-numbered": String(key === "step") });
-  const items = lessons.map((lesson) => {
-    const link = pageLink(lesson.title, "theory", { section, [key]: lesson.id }, () =>
-      go(lesson, true),
-    );
-    list.append(h("li", {}, link));
-    return { lesson, link };
-  });
-
-  const heading = h("h3", { tabindex: "-1", class: "lesson-title" });
-  const count = h("p", { class: "lesson-count" });
-  const body = h("div", { class: "prose" });
-  const tries = h("ul", { class: "tries" });
-  const more = h("p", { class: "lesson-more" });
-  const back = h("button", { type: "button", class: "quiet" }, "← back");
-  const next = h("button", { type: "button", class: "forward" }, "next →");
-  const walk = h("p", { class: "lesson-walk" }, back, next);
-  const text = h("article", { class: "lesson-text" }, count, heading, body);
-  const after = h(
-    "section",
-    { class: "lesson-after", "aria-label": "Try it" },
-    h("h4", { class: "try-heading" }, "Try it"),
-    tries,
-    more,
-    walk,
-  );
-  const live = h("p", { class: "lesson-live" });
-  const choices = h("div", { class: "lesson-media", role: "group", "aria-label": "Media" });
-  const rowsPlace = h("div", {});
-  const stage = createStage({
-    catalog,
-    name: "Reflectance against the angle of incidence",
-    onTheta: (deg, history) => actions.set({ own_deg: deg }, { history }),
-    onSettle: actions.settle,
-  });
-  const coat = createCoat({ presets, state, actions, save, say, prefix: `${key}-` });
-  const picture = h(
-    "section",
-    { class: "lesson-picture", "aria-label": "Picture" },
-    choices,
-    stage.element,
-    coat.element,
-    live,
-    rowsPlace,
-  );
-  const element = h(
-    "div",
-    { class: `lessons ${section}` },
-    h(
-      "nav",
-      { class: "lesson-nav", "aria-label": title },
-      h("h2", {}, title),
-      h("p", { class: "hint" }, intro),
-      list,
-    ),
-    text,
-    picture,
-    after,
-  );
-
-  /** @type {Lesson | null} */
-  let shown = null;
-  /** @type {ReturnType<typeof createRows> | null} */
-  let rows = null;
-  /** @type {{id: string, button: HTMLElement}[]} */
-  let media = [];
-  /** @type {{trial: import('./lesson.js').Try, item: HTMLElement, reply: HTMLElement}[]} */
-  let trials = [];
-
-  back.addEventListener("click", () => walkBy(-1));
-  next.addEventListener("click", () => walkBy(1));
-  /** @param {number} by */
-  function walkBy(by) {
-    const at = (shown ? lessons.indexOf(shown) : 0) + by;
-    const there = lessons[at];
-    if (there) go(there, true);
+    element.querySelector(".lesson-text")?.scrollIntoView({ block: "nearest" });
+    element.querySelector("h3")?.focus({ preventScroll: true });
   }
 
   /** @param {Lesson} lesson */
   function build(lesson) {
+    const { formula, more = [], models = [], picture } = lesson;
     shown = lesson;
-    const at = lessons.indexOf(lesson);
-    for (const { lesson: one, link } of items) {
-      if (one === lesson) link.setAttribute("aria-current", "step");
-      else link.removeAttribute("aria-current");
-    }
-    setText(count, key === "step" ? `Step ${at + 1} of ${lessons.length}` : "");
-    count.hidden = key !== "step";
-    setText(heading, lesson.title);
-    body.replaceChildren(
-      ...(lesson.code ? [h("pre", { class: "trap-code" }, h("code", {}, lesson.code))] : []),
-      ...lesson.text.map((paragraph) => h("p", {}, ...pieces(paragraph))),
-    );
-    trials = (lesson.tries ?? []).map((trial) => {
-      const reply = h("span", { class: "reply", hidden: true });
-      const item = h("li", { class: "try" }, h("span", {}, ...pieces(trial.say)), reply);
-      return { trial, item, reply };
-    });
-    tries.replaceChildren(...trials.map(({ item }) => item));
-    const links = [
-      ...(lesson.formula
-        ? [inside("The formula in full", { section: "formulas", formula: lesson.formula })]
-        : []),
-      ...(lesson.more ?? []).map(([words, view, to]) =>
+    said = prepared(lesson);
+    live = "";
+    links = [
+      ...(formula ? [inside("The formula in full", { section: "formulas", formula })] : []),
+      ...more.map(([words, view, to]) =>
         view === "theory" ? inside(words, to) : pageLink(words, view, to),
       ),
     ];
-    more.replaceChildren(...links);
-    back.disabled = at === 0;
-    next.disabled = at === lessons.length - 1;
-    media = (lesson.media ?? []).flatMap((id) => {
-      const found = catalog.materials.find((m) => m.id === id);
-      if (!found) return [];
-      const patch = () =>
-        lesson.picture === "colors" ? { own_of: id } : { own_n: found.n, own_k: null };
-      const button = h(
-        "button",
-        { type: "button", class: "medium", onclick: () => actions.set(patch()) },
-        found.name.replace(/\s*\(.*\)$/, ""),
-      );
-      return [{ id, button }];
-    });
-    choices.replaceChildren(...media.map((m) => m.button));
-    choices.hidden = media.length === 0;
     rows?.stop();
     rows = lesson.rows
       ? createRows({
           rows: lesson.rows,
-          presets: settingOf(/** @type {State} */ (UNTOUCHED), lesson),
+          presets: settingOf(UNTOUCHED, lesson),
           polarized: lesson.polarized ?? false,
           catalog,
           actions,
           prefix: `${key}-`,
         })
       : null;
-    rowsPlace.replaceChildren(...(rows ? [rows.element] : []));
-    stage.element.hidden = lesson.picture === "coat";
-    stage.element.dataset.picture = lesson.picture;
-    coat.element.hidden = lesson.picture !== "coat";
-    live.hidden = lesson.picture === "coat";
-    stage.explain(KEYS[(lesson.models ?? []).join()] ?? "");
+    stage.element.hidden = picture === "coat";
+    stage.element.dataset.picture = picture;
+    coat.element.hidden = picture !== "coat";
+    stage.explain(KEYS[models.join()] ?? "");
+    draw(settingOf(state(), lesson));
   }
 
-  /** @param {Scene} scene @param {boolean} settled */
-  function judge(scene, settled) {
-    trials.forEach(({ trial, item, reply }, i) => {
-      const id = `${shown?.id}.${i}`;
-      if (!achieved.has(id)) {
-        // What is swept past in a gesture is not found.
-        if (!settled || !trial.done(scene)) return;
-        achieved.add(id);
-        say(`Found. ${trial.reply}`);
-      }
-      if (!reply.hidden) return;
-      item.dataset.done = "";
-      reply.replaceChildren(...pieces(trial.reply));
-      reply.hidden = false;
-    });
-    for (const { lesson, link } of items) {
-      const all = (lesson.tries ?? []).every((_, i) => achieved.has(`${lesson.id}.${i}`));
-      link.toggleAttribute("data-done", all);
+  /** @param {Scene} scene */
+  function judge(scene) {
+    for (const trial of shown.tries ?? []) {
+      if (achieved.has(trial) || !trial.done(scene)) continue;
+      achieved.add(trial);
+      say(`Found. ${trial.reply}`);
     }
   }
 
+  /** @param {string} id of a medium of the lesson @param {Scene['setting']} setting */
+  function medium(id, setting) {
+    const found = catalog.materials.find((m) => m.id === id);
+    if (!found) return nothing;
+    const colors = shown.picture === "colors";
+    const on = colors ? setting.of === id : setting.n_t === found.n;
+    const take = () => actions.set(colors ? { own_of: id } : { own_n: found.n, own_k: null });
+    return html`<button type="button" class="medium" aria-pressed=${on}
+      @click=${take}>${found.name.replace(/\s*\(.*\)$/, "")}</button>`;
+  }
+
+  /** @param {Lesson} lesson */
+  function item(lesson) {
+    const { tries = [] } = lesson;
+    return html`<li><a href=${addressOf("theory", { section, [key]: lesson.id })}
+      aria-current=${lesson === shown ? "step" : nothing} ?data-done=${tries.every((one) => achieved.has(one))}
+      @click=${clicked(() => go(lesson))}>${lesson.title}</a></li>`;
+  }
+
+  /** @param {Try} trial @param {number} index */
+  function task(trial, index) {
+    const done = achieved.has(trial);
+    const words = said.tries[index];
+    return html`<li class="try" ?data-done=${done}><span>${words?.say}</span><span class="reply"
+      ?hidden=${!done}>${done ? words?.reply : nothing}</span></li>`;
+  }
+
+  /** @param {Scene['setting']} setting */
+  function draw(setting) {
+    const at = lessons.indexOf(shown);
+    const { media = [], tries = [], picture } = shown;
+    render(
+      html`<nav class="lesson-nav" aria-label=${title}>
+          <h2>${title}</h2>
+          <p class="hint">${intro}</p>
+          <ol class="lesson-list" data-numbered=${key === "step"}>${lessons.map(item)}</ol>
+        </nav>
+        <article class="lesson-text">
+          <p class="lesson-count" ?hidden=${key !== "step"}>Step ${at + 1} of ${lessons.length}</p>
+          <h3 tabindex="-1" class="lesson-title">${shown.title}</h3>
+          <div class="prose">${said.body}</div>
+        </article>
+        <section class="lesson-picture" aria-label="Picture">
+          <div class="lesson-media" role="group" aria-label="Media" ?hidden=${media.length === 0}>
+            ${media.map((id) => medium(id, setting))}
+          </div>
+          ${stage.element} ${coat.element}
+          <p class="lesson-live" ?hidden=${picture === "coat"}>${live}</p>
+          <div>${rows?.element}</div>
+        </section>
+        <section class="lesson-after" aria-label="Try it">
+          <h4 class="try-heading">Try it</h4>
+          <ul class="tries">${tries.map(task)}</ul>
+          <p class="lesson-more">${links}</p>
+          <p class="lesson-walk">
+            <button type="button" class="quiet" ?disabled=${at === 0}
+              @click=${() => go(lessons[at - 1])}>← back</button>
+            <button type="button" class="forward" ?disabled=${at === lessons.length - 1}
+              @click=${() => go(lessons[at + 1])}>next →</button>
+          </p>
+        </section>`,
+      element,
+    );
+  }
+
+  /** What is to be said of a metal's color. @param {any} detail */
+  function colorOf({ name, display, constants }) {
+    const rgb = display.F0.map((/** @type {number} */ c) => c.toFixed(2)).join(", ");
+    return html`<span class="swatch" style="--swatch: ${display.hex}" aria-hidden="true"></span>${name}: reflects straight on ${rgb} as linear red, green and blue; ${percent(constants.F0)} at ${plain(constants.wavelength_nm)} nm.`;
+  }
+
+  // A plot reads its colors and sizes from the page: it has to stand there before it is drawn.
+  build(shown);
+
   return {
     element,
-    /** @param {State} now @returns {Lesson} */
-    lesson: (now) => /** @type {Lesson} */ (lessons.find((l) => l.id === now[key]) ?? lessons[0]),
     /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
     update(now, answers, moving) {
-      const lesson = this.lesson(now);
-      if (lesson !== shown) build(lesson);
+      const lesson = lessonOf(now);
+      const { picture } = lesson;
       const setting = settingOf(now, lesson);
-      const reading =
-        lesson.picture === "coat" ? null : stage.update(lesson, setting, answers, moving);
-      if (lesson.picture === "coat") coat.update(now, answers.coat, undefined);
+      if (lesson !== shown) build(lesson);
+      const reading = picture === "coat" ? null : stage.update(lesson, setting, answers, moving);
+      if (picture === "coat") coat.update(now, answers.coat, undefined);
       const scene = { setting, reading, answers, state: now };
-      const answered =
-        reading !== null &&
-        reading.interface.n_i === setting.n_i &&
-        reading.interface.n_t === setting.n_t &&
-        reading.interface.k_t === setting.k_t;
+      const answered = reading !== null && sameMedia(reading.interface, setting);
       rows?.update(setting, reading ? landmarksOf(reading.interface) : []);
-      for (const { id, button } of media) {
-        const found = catalog.materials.find((m) => m.id === id);
-        const on = lesson.picture === "colors" ? setting.of === id : setting.n_t === found?.n;
-        button.setAttribute("aria-pressed", String(on));
-      }
-      if (lesson.picture === "colors" && answers.detail?.id === setting.of) {
-        const { name, display, constants } = answers.detail;
-        live.replaceChildren(
-          h("span", { class: "swatch", style: `--swatch: ${display.hex}`, "aria-hidden": "true" }),
-          `${name}: reflects straight on ${display.F0.map((/** @type {number} */ c) => c.toFixed(2)).join(", ")} as linear red, green and blue; ${percent(constants.F0)} at ${plain(constants.wavelength_nm)} nm.`,
-        );
-      } else if (lesson.live && (answered || moving)) setText(live, lesson.live(scene));
+      if (picture === "colors" && answers.detail?.id === setting.of) live = colorOf(answers.detail);
+      else if (lesson.live && reading && (answered || moving))
+        live = lesson.live({ ...scene, reading });
       const touched = Object.keys(UNTOUCHED).some((name) => now[name] !== null);
-      if (lesson.picture === "surface" ? answered && touched : touched || lesson.picture === "coat")
-        judge(scene, !moving);
-      else judge(scene, false);
+      // What is swept past in a gesture is not found.
+      const fair = picture === "surface" ? answered && touched : touched || picture === "coat";
+      if (fair && !moving) judge(scene);
+      draw(setting);
     },
-    /** @param {State} now */
-    sentence(now) {
-      return shown === this.lesson(now) && !live.hidden ? (live.textContent ?? "") : "";
-    },
+    sentence: () => element.querySelector(".lesson-live:not([hidden])")?.textContent ?? "",
     theme: () => stage.theme(),
     stop() {
       rows?.stop();

@@ -4,16 +4,17 @@ import { landmarksOf, locate, read, values } from "../curves/reading.js";
 import { NEGLIGIBLE } from "../media/constants.js";
 import { ExpressionError, evaluate } from "../numbers/entry.js";
 import { angle, percent, plain } from "../numbers/format.js";
-import { h, setText } from "../page/dom.js";
+import { h } from "../page/dom.js";
 import { copyText, flash } from "../page/exports.js";
 import { addressOf } from "../page/links.js";
+import { html, nothing, render } from "../page/lit.js";
 import { pieces } from "../page/prose.js";
 import { UNTOUCHED } from "./fields.js";
 import { settingOf } from "./lesson.js";
 import { decode, encode } from "./mystery-code.js";
 import { FIRST_MYSTERY, GUESS } from "./queries.js";
 import { createRows } from "./rows.js";
-import { createStage } from "./stage.js";
+import { createStage, LOOKS } from "./stage.js";
 
 /** How near is found: what a slider can be set to without patience. */
 const NEAR = { absolute: 0.02, relative: 0.02 };
@@ -22,157 +23,76 @@ const NEAR = { absolute: 0.02, relative: 0.02 };
 export const isNear = (guess, truth) =>
   Math.abs(guess - truth) <= Math.max(NEAR.absolute, NEAR.relative * truth);
 
+/** What can be told, one after the other. @param {Interface} media */
+function cluesOf({ kind, F0, brewster_deg, pseudo_brewster_deg }) {
+  return [
+    "Rₛ and Rₚ are shown too, thin.",
+    `Straight on it reflects ${percent(F0)}.`,
+    kind === "conductor" ? "It absorbs: k is not 0." : "It is clear: k is 0.",
+    brewster_deg === null
+      ? `Rₚ is least at ${angle(pseudo_brewster_deg, "deg", 1)}.`
+      : `Rₚ vanishes at ${angle(brewster_deg, "deg", 1)}.`,
+  ];
+}
+
 /** @param {ViewContext} context */
 export function createMystery({ catalog, state, actions, say }) {
   const stage = createStage({
     catalog,
     name: "Reflectance of the mystery material and of the guess",
-    onTheta: (deg, history) => actions.set({ own_deg: deg }, { history }),
-    onSettle: actions.settle,
+    actions,
   });
+  stage.element.dataset.picture = "guess";
   const rows = createRows({
     rows: GUESS.rows ?? {},
-    presets: settingOf(/** @type {State} */ (UNTOUCHED), GUESS),
+    presets: settingOf(UNTOUCHED, GUESS),
     catalog,
     actions,
     prefix: "mystery-",
   });
-  const apart = h("p", { class: "lesson-live" });
-  const verdict = h("p", { class: "verdict" });
-  const check = h("button", { type: "button", class: "forward" }, "Check my answer");
-  const hint = h("button", { type: "button", class: "quiet" }, "a hint");
-  const again = h("button", { type: "button", class: "quiet" }, "another material");
-  const hints = h("ol", { class: "hints" });
-  const boxes = ["n", "k"].map((name) =>
-    h("input", {
-      class: "box",
-      type: "text",
-      value: name === "n" ? "1.77" : "0",
-      "aria-label": `${name} of the material to send`,
-      autocomplete: "off",
-      spellcheck: "false",
-    }),
-  );
-  const make = h("button", { type: "button", class: "quiet" }, "copy the link");
-  const made = h("p", { class: "hint made" });
-  const maker = h(
-    "details",
-    { class: "definitions" },
-    h("summary", {}, "Make one for others"),
-    h(
-      "p",
-      {},
-      "Whoever opens the link sees the curve; n and k stand in it as a code that tells nothing to the eye.",
-    ),
-    h(
-      "p",
-      { class: "maker" },
-      ...boxes.map((box, i) => h("label", {}, h("i", {}, i ? "k" : "n"), " ", box)),
-      make,
-    ),
-    made,
-  );
-  const element = h(
-    "div",
-    { class: "lessons mystery" },
-    h(
-      "article",
-      { class: "lesson-text" },
-      h("h2", {}, "Mystery material"),
-      h("h3", { class: "lesson-title" }, "Which n and k?"),
-      h(
-        "div",
-        { class: "prose" },
-        h(
-          "p",
-          {},
-          ...pieces(
-            "The heavy line was measured on an unknown material in air. Move $n$ and $k$ until your dashed line lies on it, then check.",
-          ),
-        ),
-        h(
-          "p",
-          {},
-          ...pieces(
-            "Begin where the line begins: $F_0$ alone leaves a whole circle of $n$ and $k$, and the bend before grazing incidence decides among them. A line that falls to a dip and rises late belongs to a metal.",
-          ),
-        ),
-      ),
-      h("p", { class: "lesson-walk" }, check, hint, again),
-      verdict,
-      hints,
-      maker,
-    ),
-    h(
-      "section",
-      { class: "lesson-picture", "aria-label": "Picture" },
-      stage.element,
-      apart,
-      rows.element,
-    ),
-  );
-  stage.element.dataset.picture = "guess";
+  const prose = [
+    "The heavy line was measured on an unknown material in air. Move $n$ and $k$ until your dashed line lies on it, then check.",
+    "Begin where the line begins: $F_0$ alone leaves a whole circle of $n$ and $k$, and the bend before grazing incidence decides among them. A line that falls to a dip and rises late belongs to a metal.",
+  ].map((paragraph) => html`<p>${pieces(paragraph)}</p>`);
+  const element = h("div", { class: "lessons mystery" });
 
-  let told = 0;
   let code = "";
-  /** @type {any} */
-  let hidden = null;
+  /** @type {string[]} */
+  let clues = [];
+  let told = 0;
+  let apart = "";
+  let verdict = "";
+  let found = false;
+  /** What became of the link to send. @type {unknown} */
+  let made = nothing;
 
-  /** What can be told, one after the other. */
-  function clues() {
-    const { kind, F0, brewster_deg, pseudo_brewster_deg } = hidden.interface;
-    return [
-      "Rₛ and Rₚ are shown too, thin.",
-      `Straight on it reflects ${percent(F0)}.`,
-      kind === "conductor" ? "It absorbs: k is not 0." : "It is clear: k is 0.",
-      brewster_deg === null
-        ? `Rₚ is least at ${angle(pseudo_brewster_deg, "deg", 1)}.`
-        : `Rₚ vanishes at ${angle(brewster_deg, "deg", 1)}.`,
-    ];
-  }
-
-  function tell() {
-    if (!hidden) return;
-    const all = clues();
-    hints.replaceChildren(...all.slice(0, told).map((clue) => h("li", {}, clue)));
-    hint.disabled = told >= all.length;
-  }
-
-  hint.addEventListener("click", () => {
+  function hint() {
     told += 1;
-    tell();
-    say(clues()[told - 1] ?? "");
+    say(clues[told - 1] ?? "");
     actions.set({}, { history: "none" });
-  });
+  }
 
-  check.addEventListener("click", () => {
+  function check() {
     const truth = decode(code);
     if (!truth) return;
     const { n_t, k_t } = settingOf(state(), GUESS);
-    const right = { n: isNear(n_t, truth.n), k: isNear(k_t, truth.k) };
-    const found = right.n && right.k;
-    verdict.dataset.found = String(found);
+    const [n, k] = [isNear(n_t, truth.n), isNear(k_t, truth.k)];
+    found = n && k;
     if (found) {
       const names = catalog.materials
         .filter((m) => isNear(m.n, truth.n) && isNear(m.k ?? 0, truth.k))
         .slice(0, 3)
         .map((m) => m.name.replace(/\s*\(.*\)$/, ""));
-      setText(
-        verdict,
-        `Found: n = ${plain(truth.n)}, k = ${plain(truth.k)}.${names.length ? ` It could be ${[...new Set(names)].join(" or ")}.` : ""}`,
-      );
+      const likely = names.length ? ` It could be ${[...new Set(names)].join(" or ")}.` : "";
+      verdict = `Found: n = ${plain(truth.n)}, k = ${plain(truth.k)}.${likely}`;
     } else {
-      setText(
-        verdict,
-        right.n || right.k
-          ? `Not yet. ${right.n ? "n" : "k"} is right, within two percent.`
-          : "Not yet.",
-      );
+      verdict = n || k ? `Not yet. ${n ? "n" : "k"} is right, within two percent.` : "Not yet.";
     }
-    say(verdict.textContent ?? "");
-  });
+    say(verdict);
+    draw();
+  }
 
-  again.addEventListener("click", () => {
+  function another() {
     const good = catalog.materials.filter(
       ({ n, k }) => n >= 0.05 && n <= 5 && (k ?? 0) <= 8 && Math.abs(n - 1) > 0.05,
     );
@@ -180,25 +100,69 @@ export function createMystery({ catalog, state, actions, say }) {
     if (!one) return;
     const k = (one.k ?? 0) < NEGLIGIBLE ? 0 : (one.k ?? 0);
     actions.set({ ...UNTOUCHED, mystery: encode({ n: one.n, k }) });
-  });
+  }
 
-  make.addEventListener("click", async () => {
+  /** @param {Event} event */
+  async function make({ currentTarget }) {
     try {
+      const boxes = [...element.querySelectorAll("input")].filter((box) => box.closest(".maker"));
       const [n, k] = boxes.map((box) => evaluate(box.value));
       if (n === undefined || k === undefined || !(n >= 0.05 && n <= 5 && k >= 0 && k <= 8))
         throw new ExpressionError("n goes from 0.05 to 5 and k from 0 to 8");
       const href = addressOf("theory", { section: "mystery", mystery: encode({ n, k }) });
       const link = new URL(href, location.href).href;
       const done = await copyText(link);
-      flash(make, done);
-      made.replaceChildren(h("a", { href }, link));
+      flash(/** @type {HTMLElement} */ (currentTarget), done);
+      made = html`<a href=${href}>${link}</a>`;
       say(done ? "Link copied" : "Copying is not allowed here");
     } catch (problem) {
       if (!(problem instanceof ExpressionError)) throw problem;
-      setText(made, `${problem.message}.`);
+      made = `${problem.message}.`;
     }
-  });
+    draw();
+  }
 
+  /** @param {string} name @param {string} value */
+  const box = (
+    name,
+    value,
+  ) => html`<label><i>${name}</i> <input class="box" type="text" value=${value}
+    aria-label="${name} of the material to send" autocomplete="off" spellcheck="false"></label>`;
+
+  function draw() {
+    render(
+      html`<article class="lesson-text">
+          <h2>Mystery material</h2>
+          <h3 class="lesson-title">Which n and k?</h3>
+          <div class="prose">${prose}</div>
+          <p class="lesson-walk">
+            <button type="button" class="forward" @click=${check}>Check my answer</button>
+            <button type="button" class="quiet" ?disabled=${told >= clues.length}
+              @click=${hint}>a hint</button>
+            <button type="button" class="quiet" @click=${another}>another material</button>
+          </p>
+          <p class="verdict" data-found=${verdict ? found : nothing}>${verdict}</p>
+          <ol class="hints">${clues.slice(0, told).map((clue) => html`<li>${clue}</li>`)}</ol>
+          <details class="definitions">
+            <summary>Make one for others</summary>
+            <p>Whoever opens the link sees the curve; n and k stand in it as a code that tells nothing to the eye.</p>
+            <p class="maker">
+              ${box("n", "1.77")} ${box("k", "0")}
+              <button type="button" class="quiet" @click=${make}>copy the link</button>
+            </p>
+            <p class="hint made">${made}</p>
+          </details>
+        </article>
+        <section class="lesson-picture" aria-label="Picture">
+          ${stage.element}
+          <p class="lesson-live">${apart}</p>
+          ${rows.element}
+        </section>`,
+      element,
+    );
+  }
+
+  draw();
   return {
     element,
     /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
@@ -206,56 +170,34 @@ export function createMystery({ catalog, state, actions, say }) {
       const next = now.mystery ?? FIRST_MYSTERY;
       if (next !== code) {
         code = next;
+        clues = [];
         told = 0;
-        setText(verdict, "");
-        delete verdict.dataset.found;
+        verdict = "";
       }
       const truth = decode(code);
       const { hidden: sent, curves } = answers;
-      if (!sent || !curves || sent.interface.n_t !== truth?.n || sent.interface.k_t !== truth?.k)
-        return;
-      if (sent !== hidden) {
-        hidden = sent;
-        tell();
+      if (sent && curves && sent.interface.n_t === truth?.n && sent.interface.k_t === truth?.k) {
+        clues = cluesOf(sent.interface);
+        const setting = settingOf(now, GUESS);
+        const x = sent.theta_i_deg;
+        const mine = { x: curves.theta_i_deg, y: values(curves, "R") };
+        /** @param {'R' | 'Rs' | 'Rp'} id @param {object} look @returns {Trace} */
+        const line = (id, look) => ({ ...LOOKS[id], x, y: values(sent, id), ...look });
+        const lines = [
+          ...(told > 0 ? [line("Rs", { width: 1.2 }), line("Rp", { width: 1.2 })] : []),
+          line("R", { id: "hidden", label: "measured", width: 2.8 }),
+          { id: "guess", label: "yours", ...mine, color: "--accent", dash: "dash", width: 2 },
+        ];
+        const reading = stage.update(GUESS, setting, answers, moving, lines);
+        rows.update(setting, reading ? landmarksOf(reading.interface) : []);
+        const gaps = values(sent, "R").map((y, i) =>
+          Math.abs((y ?? 0) - (read(mine.y, locate(mine.x, x[i])) ?? 0)),
+        );
+        apart = `The two lines are ${plain(Math.max(...gaps), 2)} apart at most.`;
       }
-      const setting = settingOf(now, GUESS);
-      const x = sent.theta_i_deg;
-      const mine = { x: curves.theta_i_deg, y: values(curves, "R") };
-      /** @type {Trace[]} */
-      const lines = [
-        ...(told > 0
-          ? /** @type {const} */ ([
-              ["Rs", "Rₛ", "--Rs", "solid"],
-              ["Rp", "Rₚ", "--Rp", "dash"],
-            ]).map(([id, label, color, dash]) => ({
-              id,
-              label,
-              x,
-              y: values(sent, id),
-              color,
-              dash,
-              width: 1.2,
-            }))
-          : []),
-        {
-          id: "hidden",
-          label: "measured",
-          x,
-          y: values(sent, "R"),
-          color: "--R",
-          dash: "solid",
-          width: 2.8,
-        },
-        { id: "guess", label: "yours", ...mine, color: "--accent", dash: "dash", width: 2 },
-      ];
-      const reading = stage.update(GUESS, setting, answers, moving, lines);
-      rows.update(setting, reading ? landmarksOf(reading.interface) : []);
-      const gaps = values(sent, "R").map((y, i) =>
-        Math.abs((y ?? 0) - (read(mine.y, locate(mine.x, x[i])) ?? 0)),
-      );
-      setText(apart, `The two lines are ${plain(Math.max(...gaps), 2)} apart at most.`);
+      draw();
     },
-    sentence: () => apart.textContent ?? "",
+    sentence: () => apart,
     theme: () => stage.theme(),
     stop: () => rows.stop(),
     destroy: () => stage.destroy(),

@@ -9,6 +9,7 @@ import { h } from "../page/dom.js";
 /**
  * @typedef {import('./lesson.js').RowName} RowName
  * @typedef {import('./lesson.js').Setting} Setting
+ * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
  */
 
 /** Which declared parameter a row moves, where its value stands in a setting, and its name. */
@@ -19,7 +20,7 @@ const ROWS = /** @type {const} */ ({
   own_k: { parameter: "k_t", value: "k_t", label: "extinction" },
 });
 export const DEGREES = { step: 0.5, fine: 0.05, page: 5 };
-const INDICES = { step: 0.01, fine: 0.001, page: 0.1 };
+export const INDICES = { step: 0.01, fine: 0.001, page: 0.1 };
 
 const writing = {
   print: (/** @type {number} */ v) => `${plain(v)}°`,
@@ -30,6 +31,24 @@ const writing = {
   },
   allowed: () => "0° to 90°",
 };
+
+/**
+ * A row whose value is the lesson's own until the reader moves it.
+ * @param {string} name of the state's field
+ * @param {Actions} actions
+ * @param {Omit<import('../controls/row.js').RowOptions, 'onChange' | 'onSettle'>} options
+ */
+export function createOwnRow(name, actions, options) {
+  return createRow({
+    ...options,
+    onChange: (value, moving) =>
+      actions.set(
+        { [name]: value === options.preset ? null : value },
+        { history: moving ? "replace" : "push" },
+      ),
+    onSettle: actions.settle,
+  });
+}
 
 /**
  * @param {object} options
@@ -46,17 +65,9 @@ export function createRows({ rows, presets, polarized = false, catalog, actions,
     const declared = catalog.parameters.find((p) => p.name === parameter);
     if (!declared) throw new Error(`the server declares no ${parameter}`);
     const preset = /** @type {number} */ (presets[value]);
-    const row = createRow({
-      parameter: declared,
-      prefix,
-      preset,
-      label,
-      range,
-      steps: value === "deg" ? DEGREES : INDICES,
-      onChange: (v, moving) =>
-        actions.set({ [name]: v === preset ? null : v }, { history: moving ? "replace" : "push" }),
-      onSettle: actions.settle,
-      ...(value === "deg" && { writing }),
+    const row = createOwnRow(name, actions, {
+      ...{ parameter: declared, prefix, preset, label, range },
+      ...(value === "deg" ? { steps: DEGREES, writing } : { steps: INDICES }),
     });
     return { row, value };
   });

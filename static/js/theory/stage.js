@@ -19,17 +19,11 @@ import { DEGREES } from "./rows.js";
 
 const SNAP_DEGREES = 1;
 const AXES = /** @type {any} */ (
-  axesOf({
-    polarization: "unpolarized",
-    angle: "deg",
-    show: [],
-    models: [],
-    marks: true,
-  })
+  axesOf({ polarization: "unpolarized", angle: "deg", show: [], models: [], marks: true })
 );
 
-/** @type {Record<string, Omit<Trace, 'x' | 'y'>>} */
-const LOOKS = {
+/** @type {Record<string, Omit<Trace, 'x' | 'y'>> & Record<'R' | 'Rs' | 'Rp', Omit<Trace, 'x' | 'y'>>} */
+export const LOOKS = {
   R: { id: "R", label: "R", color: "--R", dash: "solid", width: 2.6 },
   Rs: { id: "Rs", label: "Rₛ", color: "--Rs", dash: "solid", width: 1.9 },
   Rp: { id: "Rp", label: "Rₚ", color: "--Rp", dash: "dash", width: 1.9 },
@@ -78,10 +72,9 @@ function colorTraces(answer, models, catalog) {
  * @param {object} options
  * @param {Catalog} options.catalog
  * @param {string} options.name what readers hear of the plot
- * @param {(deg: number, history: 'replace') => void} options.onTheta
- * @param {() => void} options.onSettle
+ * @param {Actions} options.actions
  */
-export function createStage({ catalog, name, onTheta, onSettle }) {
+export function createStage({ catalog, name, actions }) {
   const diagramFrame = h("div", { class: "frame" });
   const plotFrame = h("div", { class: "frame" });
   const split = createSplit();
@@ -92,16 +85,16 @@ export function createStage({ catalog, name, onTheta, onSettle }) {
     split.element,
   );
   const key = h("p", { class: "stage-key" });
+  const tables = createDataTables("The curves as a table", {
+    "Table of the curves": () => [plot.table()],
+  });
   const curves = h(
     "div",
     { class: "stage-curves" },
     h("div", { class: "plot-host" }, plotFrame),
     key,
+    tables.element,
   );
-  const tables = createDataTables("The curves as a table", {
-    "Table of the curves": () => [plot.table()],
-  });
-  curves.append(tables.element);
   const element = h("div", { class: "stage" }, ray, curves);
 
   let theta = 0;
@@ -109,26 +102,27 @@ export function createStage({ catalog, name, onTheta, onSettle }) {
   let marks = [];
   const stops = () => marks.map((m) => m.deg);
 
+  /** @param {number} deg */
+  function turn(deg) {
+    actions.set({ own_deg: clamp(deg, 0, 90) }, { history: "replace" });
+  }
+
   /** @param {number} deg @param {boolean} free */
   function drag(deg, free) {
     const raw = Number((Math.round(deg / DEGREES.fine) * DEGREES.fine).toFixed(9));
-    const next = clamp(free ? raw : snap(raw, stops(), SNAP_DEGREES), 0, 90);
-    if (next !== theta) onTheta(next, "replace");
+    const next = free ? raw : snap(raw, stops(), SNAP_DEGREES);
+    if (next !== theta) turn(next);
   }
 
   const diagram = createDiagram(diagramFrame, {
     onTheta: (/** @type {number} */ deg, /** @type {{free: boolean}} */ { free }) =>
       drag(deg, free),
-    onSettle,
+    onSettle: actions.settle,
     onStep(/** @type {string} */ kind) {
       const size = { fine: DEGREES.fine, page: DEGREES.page }[kind.slice(0, -1)] ?? DEGREES.step;
-      const next =
-        kind === "home"
-          ? 0
-          : kind === "end"
-            ? 90
-            : stepped(theta, kind.endsWith("-") ? -size : size, stops());
-      onTheta(clamp(next, 0, 90), "replace");
+      if (kind === "home") turn(0);
+      else if (kind === "end") turn(90);
+      else turn(stepped(theta, kind.endsWith("-") ? -size : size, stops()));
     },
   });
   const plot = createPlot(plotFrame, {
@@ -137,7 +131,7 @@ export function createStage({ catalog, name, onTheta, onSettle }) {
     filename: "fresnel-lesson",
     onPick(x, { settled, free }) {
       drag(x, free);
-      if (settled) onSettle();
+      if (settled) actions.settle();
     },
   });
 
@@ -247,9 +241,7 @@ export function createStage({ catalog, name, onTheta, onSettle }) {
     },
     /** @param {string} words what the lines of a color picture are */
     explain: (words) => setText(key, words),
-    theme() {
-      plot.theme();
-    },
+    theme: () => plot.theme(),
     destroy() {
       diagram.destroy();
       plot.destroy();

@@ -28,11 +28,8 @@ export const STEPS = [
     at: { n_t: 1.333, deg: 40 },
     names: ["air", "water"],
     rows: { own_deg: [0, 90] },
-    quantities: ["R"],
     live: ({ reading }) =>
-      reading
-        ? `At ${angle(reading.theta_i_deg, "deg", 1)} water reflects ${percent(reading.R)}.`
-        : "",
+      `At ${angle(reading.theta_i_deg, "deg", 1)} water reflects ${percent(reading.R)}.`,
     tries: [
       {
         say: "Look straight down: how much is reflected?",
@@ -62,9 +59,7 @@ export const STEPS = [
     rows: { own_deg: [0, 90] },
     quantities: ["R", "T"],
     live: ({ reading }) =>
-      reading
-        ? `color = ${reading.T.toFixed(2)} × color from below + ${reading.R.toFixed(2)} × color from above`
-        : "",
+      `color = ${reading.T.toFixed(2)} × color from below + ${reading.R.toFixed(2)} × color from above`,
     tries: [
       {
         say: "Find the 23 % reflected and 77 % let through of Shirley's picture.",
@@ -89,9 +84,7 @@ export const STEPS = [
     polarized: true,
     quantities: ["Rs", "Rp", "R"],
     live: ({ reading }) =>
-      reading
-        ? `s reflects ${percent(reading.Rs)}, p ${percent(reading.Rp)}, the mean is ${percent(reading.R)}.`
-        : "",
+      `s reflects ${percent(reading.Rs)}, p ${percent(reading.Rp)}, the mean is ${percent(reading.R)}.`,
     tries: [
       {
         say: "Choose p, and find an angle at which less is reflected than straight on.",
@@ -155,7 +148,6 @@ export const STEPS = [
     rows: { own_deg: [0, 90], own_i: [1, 2.5] },
     quantities: ["Rs", "Rp", "R"],
     live: ({ reading }) => {
-      if (!reading) return "";
       const critical = reading.interface.critical_deg;
       if (critical === null) return "With n_i at most n_t there is no critical angle.";
       const state = reading.tir ? "all is reflected" : `${percent(reading.R)} is reflected`;
@@ -189,12 +181,11 @@ export const STEPS = [
     names: ["air", "glass"],
     rows: { own_deg: [0, 90], own_n: [1.02, 4] },
     models: ["schlick"],
-    quantities: ["R"],
     errors: ["schlick"],
     live(scene) {
       const schlick = shareBy(scene, "schlick");
       const worst = errorOf(scene, "schlick");
-      if (schlick === null || !scene.reading || !worst) return "";
+      if (schlick === null || !worst) return "";
       return `Here: exact ${percent(scene.reading.R)}, Schlick ${percent(schlick)}. For this index it is ${short(worst.max_abs)} off at most, at ${angle(worst.max_abs_at_deg, "deg", 1)}.`;
     },
     tries: [
@@ -233,11 +224,8 @@ export const STEPS = [
       "sapphire-shirley",
       "diamond-shirley",
     ],
-    quantities: ["R"],
     live: ({ reading }) =>
-      reading
-        ? `n = ${plain(reading.interface.n_t, 4)} has F0 = ${percent(reading.interface.F0)}.`
-        : "",
+      `n = ${plain(reading.interface.n_t, 4)} has F0 = ${percent(reading.interface.F0)}.`,
     tries: [
       {
         say: "Which index has an F0 of 10 %?",
@@ -266,9 +254,7 @@ export const STEPS = [
     models: ["schlick"],
     quantities: ["Rs", "Rp", "R"],
     live: ({ reading }) =>
-      reading
-        ? `F0 is ${percent(reading.interface.F0)}; p is least at ${angle(reading.interface.pseudo_brewster_deg, "deg", 1)}${reading.penetration_depth_wavelengths ? `; light goes ${short(reading.penetration_depth_wavelengths)} wavelengths deep` : ""}.`
-        : "",
+      `F0 is ${percent(reading.interface.F0)}; p is least at ${angle(reading.interface.pseudo_brewster_deg, "deg", 1)}${reading.penetration_depth_wavelengths ? `; light goes ${short(reading.penetration_depth_wavelengths)} wavelengths deep` : ""}.`,
     tries: [
       {
         say: "Keep $n$ and raise $k$ until half of the light is reflected straight on.",

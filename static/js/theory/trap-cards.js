@@ -8,11 +8,11 @@ import { errorOf, shareBy } from "./lesson.js";
 /** @param {number | null | undefined} x */
 const short = (x) => (x === null || x === undefined ? "…" : plain(x, 3));
 
-/** @param {import('./lesson.js').Scene} scene @param {string} model @param {string} name */
+/** @param {import('./lesson.js').ReadScene} scene @param {string} model @param {string} name */
 function against(scene, model, name) {
   const wrong = shareBy(scene, model);
   const worst = errorOf(scene, model);
-  if (wrong === null || !scene.reading || !worst) return "";
+  if (wrong === null || !worst) return "";
   return `Here: exact ${percent(scene.reading.R)}, ${name} ${percent(wrong)}. Largest error ${short(worst.max_abs)}, at ${angle(worst.max_abs_at_deg, "deg", 1)}.`;
 }
 
@@ -33,7 +33,6 @@ export const TRAPS = [
     rows: { own_deg: [0, 90], own_i: [1.01, 2.5] },
     models: ["schlick_wrong_angle", "schlick_tir"],
     errors: ["schlick_wrong_angle", "schlick_tir"],
-    quantities: ["R"],
     live: (scene) => against(scene, "schlick_wrong_angle", "with the wrong angle"),
     tries: [
       {
@@ -68,7 +67,6 @@ export const TRAPS = [
     rows: { own_deg: [0, 90], own_n: [1.05, 4], own_k: [0, 6] },
     models: ["schlick_f0_srgb", "schlick"],
     errors: ["schlick_f0_srgb", "schlick"],
-    quantities: ["R"],
     live: (scene) => against(scene, "schlick_f0_srgb", "undecoded"),
     tries: [
       {
@@ -118,7 +116,6 @@ export const TRAPS = [
     rows: { own_deg: [0, 90], own_n: [0.1, 4], own_k: [0, 6] },
     models: ["complex_dielectric"],
     errors: ["complex_dielectric"],
-    quantities: ["R"],
     live: (scene) => against(scene, "complex_dielectric", "misunderstood"),
     tries: [
       {
@@ -149,7 +146,6 @@ export const TRAPS = [
     rows: { own_deg: [0, 90], own_n: [1, 3], own_i: [1, 2] },
     models: ["schlick_four_percent"],
     errors: ["schlick_four_percent"],
-    quantities: ["R"],
     live: (scene) => against(scene, "schlick_four_percent", "with 4 %"),
     tries: [
       {

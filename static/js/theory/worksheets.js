@@ -2,6 +2,7 @@
 
 import { h } from "../page/dom.js";
 import { pageLink } from "../page/links.js";
+import { html, render } from "../page/lit.js";
 import { pieces } from "../page/prose.js";
 
 /**
@@ -188,31 +189,22 @@ export const SHEETS = [
   },
 ];
 
+/** @param {Sheet} sheet */
+const article = ({ title, level, about, tasks }) => html`<article class="sheet">
+  <h3>${title}</h3>
+  <p class="hint">${level}. ${about}</p>
+  <ol>
+    ${tasks.map(([task, words, view, state]) => html`<li>${pieces(task)} ${pageLink(`${words} ↗`, view, state)}</li>`)}
+  </ol>
+</article>`;
+
 export function createWorksheets() {
-  const element = h(
-    "div",
-    { class: "worksheets" },
-    h("h2", {}, "Worksheets"),
-    h(
-      "p",
-      { class: "intro" },
-      "Each link opens the page as the task wants it; every value on it can be read, copied and saved. Print this list, or send a single link.",
-    ),
-    ...SHEETS.map(({ title, level, about, tasks }) =>
-      h(
-        "article",
-        { class: "sheet" },
-        h("h3", {}, title),
-        h("p", { class: "hint" }, `${level}. ${about}`),
-        h(
-          "ol",
-          {},
-          ...tasks.map(([task, words, view, state]) =>
-            h("li", {}, ...pieces(task), " ", pageLink(`${words} ↗`, view, state)),
-          ),
-        ),
-      ),
-    ),
+  const element = h("div", { class: "worksheets" });
+  render(
+    html`<h2>Worksheets</h2>
+      <p class="intro">Each link opens the page as the task wants it; every value on it can be read, copied and saved. Print this list, or send a single link.</p>
+      ${SHEETS.map(article)}`,
+    element,
   );
   return { element };
 }

@@ -1,9 +1,10 @@
 /** Materials: the catalog, and all that is known of the chosen preset. */
 
+import { createExamples } from "../controls/examples.js";
 import { createAngles } from "../materials/angles.js";
 import { createBrowser } from "../materials/browser.js";
 import { createColors } from "../materials/colors.js";
-import { createExamples } from "../materials/examples.js";
+import { EXAMPLES, isShown } from "../materials/examples.js";
 import { materialFields } from "../materials/fields.js";
 import { createHead } from "../materials/head.js";
 import { createMap } from "../materials/map.js";
@@ -25,12 +26,14 @@ const NARROW = "(max-width: 900px)";
 
 /** @param {ViewContext} context */
 export function createView({ element, views, catalog, actions, state, say, save }) {
+  const now = () => shown(state(), catalog);
+
   /** @param {string} id @param {boolean} moving */
   function pick(id, moving) {
     actions.set({ preset: id, ...kept(state(), id) }, { history: moving ? "replace" : "push" });
     if (!moving && matchMedia(NARROW).matches) {
       detail.scrollIntoView({ block: "start" });
-      head.name.focus({ preventScroll: true });
+      head.focus();
     }
   }
 
@@ -49,34 +52,49 @@ export function createView({ element, views, catalog, actions, state, say, save 
   const head = createHead({ views, actions });
   const numbers = createNumbers({ actions, say });
   const examples = createExamples({
-    onShow: actions.set,
-    onReveal: (name) => detail.querySelector(`.${name}`)?.scrollIntoView({ block: "nearest" }),
+    examples: EXAMPLES,
+    name: "material-examples",
+    label: "Figures of the sources",
+    onShow(example) {
+      actions.set(example.state);
+      detail.querySelector(`.${example.show}`)?.scrollIntoView({ block: "nearest" });
+    },
+    isShown,
   });
   const source = createSource(say);
   const rivals = createRivals((id) => pick(id, false));
-  const detail = h("div", { class: "material", role: "region", "aria-label": "Material" });
   const sheets = h("div", { class: "sheets" });
+  const detail = h(
+    "div",
+    { class: "material", role: "region", "aria-label": "Material" },
+    examples.element,
+    head.element,
+    numbers.element,
+    sheets,
+  );
   element.append(browser.element, detail);
-  detail.append(examples.element, head.element, numbers.element, sheets);
-  const parent = sheets;
-  const spectrum = createSpectrum({ parent, catalog, actions, save });
-  const angles = createAngles({ parent, actions, save });
-  const colors = createColors({ parent, catalog, actions, save });
-  const map = createMap({ parent, actions, save });
-  const figures = [spectrum, angles, map];
+  const context = { parent: sheets, catalog, actions, save, now };
+  const spectrum = createSpectrum(context);
+  const angles = createAngles(context);
+  const colors = createColors(context);
+  const map = createMap(context);
   sheets.append(h("div", { class: "beside" }, rivals.element, source.element));
+  /** By the name of the query. */
+  const figures = { spectrum, angles, colors, map };
 
   /** @type {Record<string, {title: string, lines: string[]} | undefined>} what went wrong, by the query's name */
   const problems = {};
   /** @type {Record<string, any>} */
   let before = {};
+  /** The answer of which what does not move was drawn. @type {unknown} */
+  let drawn = null;
 
   function showProblems() {
     numbers.problem(problems.detail);
-    spectrum.panel.problem(problems.spectrum);
-    angles.panel.problem(problems.angles);
-    colors.panel.problem(problems.colors ?? problems.index);
-    map.panel.problem(problems.map);
+    spectrum.problem(problems.spectrum);
+    angles.problem(problems.angles);
+    colors.problem(problems.colors ?? problems.index);
+    map.problem(problems.map);
   }
 
   return {
@@ -85,19 +103,21 @@ export function createView({ element, views, catalog, actions, state, say, save 
       const now = shown(state, catalog);
       for (const name of Object.keys(problems))
         if (answers[name] !== before[name]) delete problems[name];
-      before = answers;
       browser.update(now, answers.list);
       examples.update(now);
       numbers.choices(now);
       const preset = presetOf(catalog, now.preset);
       const spectral = preset?.kind === "spectrum";
-      for (const { panel } of figures) panel.hide(!spectral);
-      const known = answers.detail?.id === now.preset ? answers.detail : null;
-      if (known) {
-        head.update(known, now);
-        numbers.update(known, now);
-        source.update(known);
-        rivals.update(known);
+      for (const { element } of [spectrum, angles, map]) element.hidden = !spectral;
+      const { detail } = answers;
+      if (detail?.id === now.preset) {
+        head.update(detail, now);
+        numbers.update(detail, now);
+        if (detail !== drawn) {
+          drawn = detail;
+          source.update(detail);
+          rivals.update(detail);
+        }
       }
       const at = now.at_nm ?? preset?.wavelength_nm ?? null;
       if (spectral) {
@@ -106,6 +126,7 @@ export function createView({ element, views, catalog, actions, state, say, save 
         map.update(now, answers.map, at);
       }
       colors.update(now, answers);
+      before = answers;
       showProblems();
     },
 
@@ -127,11 +148,11 @@ export function createView({ element, views, catalog, actions, state, say, save 
     },
 
     theme() {
-      for (const one of [...figures, colors]) one.theme();
+      for (const figure of Object.values(figures)) figure.theme();
     },
     deactivate() {},
     destroy() {
-      for (const one of [...figures, colors]) one.destroy();
+      for (const figure of Object.values(figures)) figure.destroy();
     },
   };
 }

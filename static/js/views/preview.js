@@ -1,16 +1,17 @@
 /** Preview: a scene rendered with one model on the left and another on the right, and how far they are apart. */
 
-import { createChoice } from "../controls/panel.js";
+import { createExamples } from "../controls/examples.js";
+import { createChoices } from "../controls/panel.js";
 import { createRow } from "../controls/row.js";
 import { plain, significant } from "../numbers/format.js";
-import { h, setText } from "../page/dom.js";
-import { copyText, flash } from "../page/exports.js";
+import { h } from "../page/dom.js";
+import { copying } from "../page/exports.js";
+import { html, render } from "../page/lit.js";
 import { loadStyle } from "../page/style.js";
 import { createControls } from "../preview/controls.js";
-import { createExamples } from "../preview/examples.js";
-import { BOUNDS, isEven, isOpaque, isPaint, NONE, previewFields } from "../preview/fields.js";
-import { coatPaths, queries, sidePaths } from "../preview/queries.js";
-import { BODY, HOW } from "../preview/shader.js";
+import { EXAMPLES, isShown } from "../preview/examples.js";
+import { BOUNDS, NONE, previewFields } from "../preview/fields.js";
+import { queries } from "../preview/queries.js";
 import { createSides } from "../preview/sides.js";
 import { createStage } from "../preview/stage.js";
 import { createTakeaway } from "../preview/takeaway.js";
@@ -18,11 +19,19 @@ import { createTakeaway } from "../preview/takeaway.js";
 export { later, queries, restCalls } from "../preview/queries.js";
 export const fields = previewFields;
 
-/**
- * @typedef {import('../preview/difference.js').Difference} Difference
- */
+/** @typedef {import('../preview/difference.js').Difference} Difference */
 
 await loadStyle("css/preview.css");
+
+const FIGURES = /** @type {const} */ ([
+  ["steps", "mean", "mean, 8-bit steps"],
+  ["steps", "largest", "largest, 8-bit steps"],
+  ["colors", "mean", "mean ΔE₀₀"],
+  ["colors", "largest", "largest ΔE₀₀"],
+]);
+const NO_WEBGL = html`<p class="no-webgl" role="status"><b>This browser draws no WebGL2 here.</b>
+  The scene needs it, with textures of floating-point numbers: try another browser, or allow
+  hardware acceleration. The Compare view shows the same curves and their errors.</p>`;
 
 /** @param {number} x */
 const short = (x) => (x === 0 ? "0" : x < 0.1 ? significant(x, 2) : plain(x, 3));
@@ -40,44 +49,28 @@ export function createView({
 }) {
   const sides = createSides(catalog);
   const controls = createControls({ catalog, presets, state, actions, describeMedia });
-  const examples = createExamples({ onShow: actions.set });
-  const stage = createStage({ state, actions, save, onMeasured: showDifference });
-  const takeaway = createTakeaway({ catalog, state, actions, say, save });
-
-  const see = createChoice({
-    legend: "What is shown",
-    items: [
-      { value: "split", label: "split" },
-      { value: "flicker", label: "flicker" },
-      { value: "difference", label: "difference" },
-      { value: "left", label: "left" },
-      { value: "right", label: "right" },
-    ],
-    onChange: ([value]) => actions.set({ see: value }),
+  const examples = createExamples({
+    examples: EXAMPLES,
+    name: "preview-examples",
+    label: "Examples",
+    onShow: (example) => actions.set(example.state),
+    isShown,
   });
-  see.element.classList.add("unnamed");
-  const png = h(
-    "button",
-    {
-      type: "button",
-      class: "quiet",
-      "aria-label": "Save the picture as PNG",
-      onclick: () => stage.export(`fresnel-preview-${state().left}-${state().right}.png`),
-    },
-    "PNG",
-  );
-  const running = h(
-    "button",
-    { type: "button", class: "quiet", onclick: () => showFlicker(stage.flicker.toggle()) },
-    "pause",
-  );
-  const other = h(
-    "button",
-    { type: "button", class: "quiet", onclick: stage.flicker.swap },
-    "other side",
-  );
-  const flicker = h("span", { class: "flicker-controls" }, running, other);
-
+  const stage = createStage({ state, actions, save, onMeasured: show });
+  const takeaway = createTakeaway({ catalog, state, actions, say, save });
+  const choices = createChoices(actions, {
+    see: [
+      "What is shown",
+      {
+        split: "split",
+        flicker: "flicker",
+        difference: "difference",
+        left: "left",
+        right: "right",
+      },
+    ],
+  });
+  choices.elements.see.classList.add("unnamed");
   const gain = createRow({
     parameter: { name: "gain", symbol: "g", ...BOUNDS.gain },
     prefix: "preview-",
@@ -89,146 +82,82 @@ export function createView({
       actions.set({ gain: value }, { history: moving ? "replace" : "push" }),
     onSettle: actions.settle,
   });
-  const marks = ["low", "middle", "high"].map((name) => h("span", { class: name }));
-  const legend = h(
-    "figure",
-    { class: "legend", "aria-label": "Legend of the difference" },
-    h("div", { class: "legend-bar" }),
-    h("div", { class: "legend-marks" }, ...marks),
-    h("figcaption", {}, "right minus left in 8-bit steps of sRGB, the channel that differs most"),
-  );
-  const amplified = h("div", { class: "amplified" }, gain.element, legend);
 
-  const numbers = Object.fromEntries(
-    ["steps.mean", "steps.largest", "colors.mean", "colors.largest"].map((name) => [
-      name,
-      h("dd", { "data-difference": name }),
-    ]),
-  );
-  const counted = h("p", { class: "reason" });
-  /** @type {Difference | null} the last that was measured */
+  /** @type {Difference | null} of the picture at hand, once it is measured */
+  let measured = null;
+  /** @type {Difference | null} the last that was */
   let last = null;
-  const copy = h(
-    "button",
-    {
-      type: "button",
-      class: "quiet",
-      "aria-label": "Copy the differences as JSON, in full precision",
-      disabled: true,
-      onclick: async () => {
-        const { left, right } = state();
-        const done = await copyText(JSON.stringify({ left, right, ...last }, null, 2));
-        flash(copy, done);
-        say(done ? "The differences were copied." : "The browser refused to copy.");
-      },
-    },
-    "copy",
-  );
-  const measured = h(
-    "section",
-    { class: "differences", "aria-label": "How far the sides are apart" },
-    h(
-      "dl",
-      {},
-      .../** @type {const} */ ([
-        ["steps.mean", "mean, 8-bit steps"],
-        ["steps.largest", "largest, 8-bit steps"],
-        ["colors.mean", "mean ΔE₀₀"],
-        ["colors.largest", "largest ΔE₀₀"],
-      ]).map(([name, title]) => h("div", {}, h("dt", {}, title), numbers[name] ?? null)),
-    ),
-    h("div", { class: "counted" }, counted, copy),
-  );
-
-  const fallback = h(
-    "p",
-    { class: "no-webgl", role: "status" },
-    h("b", {}, "This browser draws no WebGL2 here."),
-    " The scene needs it, with textures of floating-point numbers: try another browser, or allow " +
-      "hardware acceleration. The Compare view shows the same curves and their errors.",
-  );
-  const work = h(
-    "section",
-    { class: "column picture", "aria-label": "Picture" },
-    examples.element,
-    h("div", { class: "picture-bar" }, see.element, flicker, png),
-    stage.works ? stage.element : fallback,
-    amplified,
-    measured,
-  );
-  measured.hidden = !stage.works;
+  const work = h("section", { class: "column picture", "aria-label": "Picture" });
   element.append(controls.element, work, takeaway.element);
-  showFlicker(stage.flicker.on());
 
-  /** @param {boolean} on */
-  function showFlicker(on) {
-    setText(running, on ? "pause" : "play");
-  }
-
-  /** @param {Difference | null} difference */
-  function showDifference(difference) {
-    last = difference;
-    copy.disabled = difference === null;
-    measured.toggleAttribute("data-stale", difference === null);
-    if (!difference) return;
-    for (const [name, place] of Object.entries(numbers)) {
-      const [of, which] = name.split(".");
-      const figures = difference[/** @type {'steps' | 'colors'} */ (of)];
-      setText(place, short(figures[/** @type {'mean' | 'largest'} */ (which)]));
-    }
-    setText(
-      counted,
-      `over the ${difference.pixels.toLocaleString("en")} pixels of a smaller picture that show the surface`,
+  function draw() {
+    const { see, left, right, gain: factor } = state();
+    const most = plain(255 / factor, 3);
+    const toggle = () => {
+      stage.flicker.toggle();
+      draw();
+    };
+    const copied = () => JSON.stringify({ left, right, ...measured }, null, 2);
+    render(
+      html`${examples.element}
+        <div class="picture-bar">
+          ${choices.elements.see}
+          <span class="flicker-controls" ?hidden=${see !== "flicker"}>
+            <button type="button" class="quiet" @click=${toggle}>${stage.flicker.on() ? "pause" : "play"}</button>
+            <button type="button" class="quiet" @click=${stage.flicker.swap}>other side</button>
+          </span>
+          <button type="button" class="quiet" aria-label="Save the picture as PNG"
+            @click=${() => stage.export(`fresnel-preview-${left}-${right}.png`)}>PNG</button>
+        </div>
+        ${stage.works ? stage.element : NO_WEBGL}
+        <div class="amplified" ?hidden=${see !== "difference"}>
+          ${gain.element}
+          <figure class="legend" aria-label="Legend of the difference">
+            <div class="legend-bar"></div>
+            <div class="legend-marks">
+              <span class="low">−${most}</span>
+              <span class="middle">0, the same</span>
+              <span class="high">+${most}</span>
+            </div>
+            <figcaption>right minus left in 8-bit steps of sRGB, the channel that differs most</figcaption>
+          </figure>
+        </div>
+        <section class="differences" aria-label="How far the sides are apart"
+          ?hidden=${!stage.works} ?data-stale=${!measured}>
+          <dl>
+            ${FIGURES.map(([of, which, title]) => html`<div><dt>${title}</dt><dd data-difference="${of}.${which}">${last && short(last[of][which])}</dd></div>`)}
+          </dl>
+          <div class="counted">
+            <p class="reason">${last && `over the ${last.pixels.toLocaleString("en")} pixels of a smaller picture that show the surface`}</p>
+            <button type="button" class="quiet" aria-label="Copy the differences as JSON, in full precision"
+              ?disabled=${!measured}
+              @click=${copying(copied, say, "The differences were copied.", "The browser refused to copy.")}>copy</button>
+          </div>
+        </section>`,
+      work,
     );
   }
 
-  /** @param {string} id */
-  function titleOf(id) {
-    return id === NONE
-      ? "no reflection"
-      : (catalog.models.find((m) => m.id === id)?.title.replace(/\s*\(.*\)$/, "") ?? id);
+  /** @param {Difference | null} difference */
+  function show(difference) {
+    measured = difference;
+    last = difference ?? last;
+    draw();
   }
 
   /** @param {State} now @param {'left' | 'right'} side */
   function label(now, side) {
+    const id = now[side];
+    const model = catalog.models.find((m) => m.id === id);
+    const title = id === NONE ? "no reflection" : model?.title.replace(/\s*\(.*\)$/, "");
     /** @type {Record<string, string>} */
     const by = { pixel: "", vertex: ", per vertex", texture: `, ${now.texels} texels` };
-    return titleOf(now[side]) + by[now[`${side}_by`]];
+    return (title ?? id) + by[now[`${side}_by`]];
   }
 
-  /** @param {State} now @param {'left' | 'right'} side */
-  function reasonOf(now, side) {
-    const [path] = Object.values(sidePaths(now, catalog, side));
-    const reason = sides
-      .answer(path)
-      ?.curves?.find((/** @type {Curve} */ c) => c.model === now[side])?.reason;
-    return reason ? `Outside its domain: ${reason}` : "";
-  }
-
-  /** The last that was known of the paint, by channel. @type {any[]} */
-  let coats = [];
-  let drawn = false;
   /** What the picture was last made of. @type {unknown[]} */
   let made = [];
-
-  /** @param {State} now */
-  function sceneOf(now) {
-    /** @param {'left' | 'right'} side @returns {import('../preview/shader.js').Variant} */
-    const variant = (side) => ({
-      how: HOW[/** @type {keyof typeof HOW} */ (now[`${side}_by`])],
-      body: isOpaque(now) ? BODY.opaque : isPaint(now) ? BODY.paint : BODY.clear,
-      water: now.scene === "water",
-      even: isEven(now),
-      holes: sides.hasHoles(side),
-    });
-    const external = coats[0]?.external ?? 0;
-    return {
-      sides: { left: variant("left"), right: variant("right") },
-      eta: now.n_i / now.n_t,
-      external,
-      escape: coats.length ? coats.map((coat) => coat.body / (1 - external) ** 2) : [0, 0, 0],
-    };
-  }
+  let drawn = false;
 
   return {
     /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
@@ -239,32 +168,23 @@ export function createView({
       if (parts.length === made.length && parts.every((part, i) => part === made[i])) return;
       made = parts;
       sides.take(answers);
-      controls.update(now, { left: reasonOf(now, "left"), right: reasonOf(now, "right") });
+      controls.update(now, { left: sides.reason(now, "left"), right: sides.reason(now, "right") });
       examples.update(now);
-      see.update([now.see]);
-      flicker.hidden = now.see !== "flicker";
-      amplified.hidden = now.see !== "difference";
+      choices.update(now);
       gain.update(now.gain);
-      const most = plain(255 / now.gain, 3);
-      marks.forEach((mark, i) => {
-        setText(mark, [`−${most}`, "0, the same", `+${most}`][i] ?? "");
-      });
+      draw();
       if (!stage.works) return;
       let complete = false;
       stage.feed((renderer, force) => {
         complete = sides.fill(renderer, state(), force);
       });
-      const paths = Object.values(coatPaths(now, catalog));
-      const fresh = paths.map((path) => sides.answer(path));
-      if (!fresh.includes(null)) coats = fresh;
-      else complete = false;
       // Half of a new state would be a picture of nothing: the last good one stays. While something
       // moves, what is known follows it.
       if (complete || (moving && drawn)) {
         drawn = true;
-        showDifference(null);
+        show(null);
         stage.update(
-          sceneOf(now),
+          sides.scene(now),
           { left: label(now, "left"), right: label(now, "right") },
           moving,
         );
@@ -273,10 +193,9 @@ export function createView({
 
     /** @param {State} now */
     sentence(now) {
-      const place = numbers["steps.largest"]?.textContent;
-      return place
-        ? `${label(now, "left")} against ${label(now, "right")}: up to ${place} of 255 steps apart, mean CIEDE2000 ${numbers["colors.mean"]?.textContent}.`
-        : "";
+      if (!last) return "";
+      const { steps, colors } = last;
+      return `${label(now, "left")} against ${label(now, "right")}: up to ${short(steps.largest)} of 255 steps apart, mean CIEDE2000 ${short(colors.mean)}.`;
     },
 
     problem: takeaway.problem,

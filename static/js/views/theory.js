@@ -1,7 +1,8 @@
 /** Theory: a first path, every formula, claims measured, traps, a material to guess, worksheets. */
 
 import { h } from "../page/dom.js";
-import { pageLink } from "../page/links.js";
+import { addressOf, clicked } from "../page/links.js";
+import { html, nothing, render } from "../page/lit.js";
 import { loadKatex } from "../page/prose.js";
 import { loadStyle } from "../page/style.js";
 import { SECTIONS, theoryFields, UNTOUCHED } from "../theory/fields.js";
@@ -57,33 +58,35 @@ const MAKERS = {
 /** @param {ViewContext} context */
 export function createView(context) {
   const { element, state, actions } = context;
-  const tabs = SECTIONS.map(({ id, title }) => ({
-    id,
-    link: pageLink(title, "theory", { section: id === "path" ? null : id }, () => {
-      actions.set({ ...UNTOUCHED, section: id });
-      window.scrollTo(0, 0);
-    }),
-  }));
   const place = h("div", { class: "theory-section" });
-  const trouble = h("p", { class: "trouble", role: "alert", hidden: true });
-  element.append(
-    h(
-      "nav",
-      { class: "theory-tabs", "aria-label": "Sections of Theory" },
-      ...tabs.map((t) => t.link),
-    ),
-    trouble,
-    place,
-  );
-
   /** @type {Map<string, Section>} */
   const made = new Map();
   /** @type {Set<string>} */
   const making = new Set();
   /** @type {Record<string, any>} */
   let latest = {};
+  let complaint = "";
   /** Whether what had the focus, a link into another section, is hidden now. */
   let homeless = false;
+  draw();
+
+  function draw() {
+    const { section } = state();
+    /** @param {string} id */
+    const go = (id) => {
+      actions.set({ ...UNTOUCHED, section: id });
+      window.scrollTo(0, 0);
+    };
+    const tab = (/** @type {{id: string, title: string}} */ { id, title }) =>
+      html`<a href=${addressOf("theory", { section: id === "path" ? null : id })}
+        aria-current=${id === section ? "true" : nothing} @click=${clicked(() => go(id))}>${title}</a>`;
+    render(
+      html`<nav class="theory-tabs" aria-label="Sections of Theory">${SECTIONS.map(tab)}</nav>
+        <p class="trouble" role="alert" ?hidden=${complaint === ""}>${complaint}</p>
+        ${place}`,
+      element,
+    );
+  }
 
   /** @param {string} id */
   async function make(id) {
@@ -103,21 +106,12 @@ export function createView(context) {
     actions.set({}, { history: "none" });
   }
 
-  /** @param {string} text */
-  function complain(text) {
-    trouble.hidden = text === "";
-    trouble.textContent = text;
-  }
-
   return {
     /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
     update(now, answers, moving) {
-      if (answers !== latest) complain("");
+      if (answers !== latest) complaint = "";
       latest = answers;
-      for (const { id, link } of tabs) {
-        if (id === now.section) link.setAttribute("aria-current", "true");
-        else link.removeAttribute("aria-current");
-      }
+      draw();
       for (const [id, { element }] of made) {
         const gone = id !== now.section;
         homeless ||= gone && element.contains(document.activeElement);
@@ -137,7 +131,8 @@ export function createView(context) {
     sentence: (now) => made.get(now.section)?.sentence?.(now) ?? "",
     /** @param {string} _ @param {{title: string, lines: string[]}} problem */
     problem(_, { title, lines }) {
-      complain([title, ...lines].join(": "));
+      complaint = [title, ...lines].join(": ");
+      draw();
       return true;
     },
     theme() {
