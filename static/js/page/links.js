@@ -34,11 +34,19 @@ export function clicked(go) {
 
 /**
  * @param {string} text
- * @param {string} view
- * @param {Record<string, string | number | null | undefined>} [state]
+ * @param {string} href of this page
  * @param {(href: string) => void} [go] what a plain click does; by default the state becomes the link's
  */
-export function pageLink(text, view, state, go = follow) {
-  const href = addressOf(view, state);
+export function followed(text, href, go = follow) {
   return h("a", { href, onclick: clicked(() => go(href)) }, text);
+}
+
+/**
+ * @param {string} text
+ * @param {string} view
+ * @param {Record<string, string | number | null | undefined>} [state]
+ * @param {(href: string) => void} [go]
+ */
+export function pageLink(text, view, state, go) {
+  return followed(text, addressOf(view, state), go);
 }

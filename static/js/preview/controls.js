@@ -45,13 +45,11 @@ function modelOptions(models, chosen) {
   return html`${options(exact)}${option(NONE, "No reflection")}${groups}`;
 }
 
-/** @param {Pick<ViewContext, 'catalog' | 'presets' | 'state' | 'actions' | 'describeMedia'>} context */
-export function createControls({ catalog, presets, state, actions, describeMedia }) {
+/** @param {ViewContext} context */
+export function createControls(context) {
+  const { catalog, state, actions } = context;
   const prefix = "preview-";
-  const { rows, media } = createInterface({
-    ...{ catalog, presets, state, actions, prefix, describeMedia },
-    manners: MANNERS,
-  });
+  const { rows, media } = createInterface({ ...context, prefix, manners: MANNERS });
   const choices = createChoices(actions, {
     left_by: ["How R is evaluated on the left", HOW],
     right_by: ["How R is evaluated on the right", HOW],

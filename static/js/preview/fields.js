@@ -7,6 +7,9 @@ import { snippetFields, tableFields } from "../takeaway/fields.js";
 /** Without any reflection, as in Wloka's figure 14; all else is a registered model. */
 export const NONE = "none";
 
+/** What of both sides is seen. */
+export const SEEN = ["split", "flicker", "difference", "left", "right"];
+
 export const BOUNDS = {
   texels: { default: 16, minimum: 2, maximum: 4096 },
   gain: { default: 5, minimum: 1, maximum: 20 },
@@ -40,7 +43,7 @@ export function previewFields({ models }) {
     left_by: choice("pixel", by),
     right_by: choice("pixel", by),
     texels: whole(number(BOUNDS.texels)),
-    see: choice("split", ["split", "flicker", "difference", "left", "right"]),
+    see: choice("split", SEEN),
     split: number(BOUNDS.split),
     gain: number(BOUNDS.gain),
     body: choice("paint", ["paint", "clear"]),

@@ -89,10 +89,10 @@ function createWith(gl) {
   function texture(filter) {
     const made = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, made);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+      gl.texParameteri(gl.TEXTURE_2D, name, filter);
+    for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T])
+      gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
     return made;
   }
 
@@ -113,7 +113,7 @@ function createWith(gl) {
     if (one.size[0] === size[0] && one.size[1] === size[1]) return;
     gl.bindTexture(gl.TEXTURE_2D, one.picture);
     const [width, height] = size;
-    const [type] = format === gl.RGBA8 ? [gl.UNSIGNED_BYTE] : [gl.HALF_FLOAT];
+    const type = format === gl.RGBA8 ? gl.UNSIGNED_BYTE : gl.HALF_FLOAT;
     gl.texImage2D(gl.TEXTURE_2D, 0, format, width, height, 0, gl.RGBA, type, null);
     one.size = [width, height];
   }
@@ -195,12 +195,8 @@ function createWith(gl) {
       const ball = name === "ball";
       // The fourth channel stays 1 where the chosen surface is seen.
       const own = ball && !variant.water;
-      gl.blendFuncSeparate(
-        gl.ONE,
-        gl.ONE_MINUS_SRC_ALPHA,
-        own ? gl.ONE : gl.ZERO,
-        gl.ONE_MINUS_SRC_ALPHA,
-      );
+      const { ONE, ZERO, ONE_MINUS_SRC_ALPHA: rest } = gl;
+      gl.blendFuncSeparate(ONE, rest, own ? ONE : ZERO, rest);
       draw(ball ? "ball" : "thing", box, { thing: name === "buoy" ? 0 : 1 });
     }
     gl.disable(gl.BLEND);
@@ -266,19 +262,10 @@ function createWith(gl) {
 
     /** @param {'left' | 'right'} side @param {Uint8Array} texels four bytes each */
     setTable(side, texels) {
-      gl.bindTexture(gl.TEXTURE_2D, tables[side]);
+      const { TEXTURE_2D, RGBA, RGBA8, UNSIGNED_BYTE } = gl;
+      gl.bindTexture(TEXTURE_2D, tables[side]);
       sizes[side] = texels.length / 4;
-      gl.texImage2D(
-        gl.TEXTURE_2D,
-        0,
-        gl.RGBA8,
-        sizes[side],
-        1,
-        0,
-        gl.RGBA,
-        gl.UNSIGNED_BYTE,
-        texels,
-      );
+      gl.texImage2D(TEXTURE_2D, 0, RGBA8, sizes[side], 1, 0, RGBA, UNSIGNED_BYTE, texels);
     },
 
     /**

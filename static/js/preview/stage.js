@@ -10,6 +10,7 @@ import { createRenderer } from "./renderer.js";
 /**
  * @typedef {import('./renderer.js').Picture} Picture
  * @typedef {import('./renderer.js').Show} Show
+ * @typedef {import('./difference.js').Difference} Difference
  */
 
 /** Points of the scene to a pixel at rest, along each side: four to a pixel. */
@@ -33,11 +34,7 @@ const turned = (yaw) => ((((yaw + 180) % 360) + 360) % 360) - 180;
 const rounded = (x) => Number(x.toFixed(2));
 
 /**
- * @param {object} options
- * @param {() => State} options.state
- * @param {Actions} options.actions
- * @param {(difference: import('./difference.js').Difference | null) => void} options.onMeasured
- * @param {(name: string, blob: Blob) => void} options.save
+ * @param {Pick<ViewContext, 'state' | 'actions' | 'save'> & {onMeasured: (difference: Difference | null) => void}} context
  */
 export function createStage({ state, actions, onMeasured, save }) {
   const canvas = h("canvas", {

@@ -1,7 +1,7 @@
 /** Worksheets: tasks whose links open the page as the task wants it. */
 
 import { h } from "../page/dom.js";
-import { pageLink } from "../page/links.js";
+import { followed } from "../page/links.js";
 import { html, render } from "../page/lit.js";
 import { pieces } from "../page/prose.js";
 
@@ -10,7 +10,7 @@ import { pieces } from "../page/prose.js";
  * @property {string} title
  * @property {string} level
  * @property {string} about
- * @property {[string, string, string, Record<string, string | number>][]} tasks task, link's text, view, state
+ * @property {string[]} tasks each ends with a link, `[words](address)`
  */
 
 /** @type {Sheet[]} */
@@ -20,24 +20,9 @@ export const SHEETS = [
     level: "school, 30 minutes",
     about: "The law of refraction and the split of light, read off a picture that is to scale.",
     tasks: [
-      [
-        "Read $R$ at 0°, 30°, 60°, 75° and 85°, and sketch the curve before you look at it.",
-        "water",
-        "explore",
-        { n_t: 1.333, theta_i_deg: 0 },
-      ],
-      [
-        "Measure $\\theta_t$ for five angles and check $n=\\sin\\theta_i/\\sin\\theta_t$.",
-        "the ray at 45°",
-        "explore",
-        { n_t: 1.333, theta_i_deg: 45 },
-      ],
-      [
-        "A fisherman looks at 50° from the normal. What share of the light from the fish reaches his eye, and what share of what he sees is sky?",
-        "water at 50°",
-        "explore",
-        { n_t: 1.333, theta_i_deg: 50 },
-      ],
+      "Read $R$ at 0°, 30°, 60°, 75° and 85°, and sketch the curve before you look at it. [water](?n_t=1.333&theta_i_deg=0)",
+      "Measure $\\theta_t$ for five angles and check $n=\\sin\\theta_i/\\sin\\theta_t$. [the ray at 45°](?n_t=1.333&theta_i_deg=45)",
+      "A fisherman looks at 50° from the normal. What share of the light from the fish reaches his eye, and what share of what he sees is sky? [water at 50°](?n_t=1.333&theta_i_deg=50)",
     ],
   },
   {
@@ -45,24 +30,9 @@ export const SHEETS = [
     level: "school and first year, 45 minutes",
     about: "Find an index from an angle, as it is done with a laser and a polarizer.",
     tasks: [
-      [
-        "Set the polarization to p and find where nothing is reflected, for water, crown glass and diamond.",
-        "p light on glass",
-        "explore",
-        { polarization: "p", theta_i_deg: 50 },
-      ],
-      [
-        "Show from Snell's law that $\\theta_B+\\theta_t=90^\\circ$ means $\\tan\\theta_B=n_t/n_i$; check it by the numbers of the page.",
-        "the formula",
-        "theory",
-        { section: "formulas", formula: "angle.brewster" },
-      ],
-      [
-        "Add some absorption, $k=0.5$. What is left of Brewster's angle?",
-        "with k = 0.5",
-        "explore",
-        { k_t: 0.5, polarization: "p", theta_i_deg: 57 },
-      ],
+      "Set the polarization to p and find where nothing is reflected, for water, crown glass and diamond. [p light on glass](?polarization=p&theta_i_deg=50)",
+      "Show from Snell's law that $\\theta_B+\\theta_t=90^\\circ$ means $\\tan\\theta_B=n_t/n_i$; check it by the numbers of the page. [the formula](?view=theory&section=formulas&formula=angle.brewster)",
+      "Add some absorption, $k=0.5$. What is left of Brewster's angle? [with k = 0.5](?k_t=0.5&polarization=p&theta_i_deg=57)",
     ],
   },
   {
@@ -70,30 +40,10 @@ export const SHEETS = [
     level: "school and first year, 45 minutes",
     about: "Total internal reflection, its phases and the wave beyond the surface.",
     tasks: [
-      [
-        "Stand exactly at the critical angle of glass: the slider holds there. What do both arrows do?",
-        "inside glass",
-        "explore",
-        { n_i: 1.5, n_t: 1, theta_i_deg: 41.810314895778596 },
-      ],
-      [
-        "Do not swap anything: start from $n_i=1$ and raise it beyond $n_t$. At which $n_i$ is a ray at 60° caught?",
-        "start here",
-        "explore",
-        { n_i: 1, n_t: 1.2, theta_i_deg: 60 },
-      ],
-      [
-        "Plot the phases. By how much do they differ at most between s and p? Where would you build Fresnel's rhomb, which needs 45° twice?",
-        "with phases",
-        "explore",
-        { n_i: 1.51, n_t: 1, theta_i_deg: 54, show: "phase" },
-      ],
-      [
-        "How deep does the evanescent wave go at 45° and at 42°, in wavelengths?",
-        "its depth",
-        "explore",
-        { n_i: 1.5, n_t: 1, theta_i_deg: 45 },
-      ],
+      "Stand exactly at the critical angle of glass: the slider holds there. What do both arrows do? [inside glass](?n_i=1.5&n_t=1&theta_i_deg=41.810314895778596)",
+      "Do not swap anything: start from $n_i=1$ and raise it beyond $n_t$. At which $n_i$ is a ray at 60° caught? [start here](?n_i=1&n_t=1.2&theta_i_deg=60)",
+      "Plot the phases. By how much do they differ at most between s and p? Where would you build Fresnel's rhomb, which needs 45° twice? [with phases](?n_i=1.51&n_t=1&theta_i_deg=54&show=phase)",
+      "How deep does the evanescent wave go at 45° and at 42°, in wavelengths? [its depth](?n_i=1.5&n_t=1&theta_i_deg=45)",
     ],
   },
   {
@@ -101,30 +51,10 @@ export const SHEETS = [
     level: "computer graphics, 60 minutes",
     about: "Approximations judged by numbers, not by looks.",
     tasks: [
-      [
-        "For which $n$ from 1 to 3 is Schlick's largest error below 0.04?",
-        "error over n",
-        "compare",
-        { against: "schlick", over: "n" },
-      ],
-      [
-        "Find the cheapest model that stays within 0.01 for iron.",
-        "iron, n = 2.9, k = 3",
-        "compare",
-        { n_t: 2.9, k_t: 3, budget: 0.01 },
-      ],
-      [
-        "Where on the n, k plane does Pharr and Humphreys' form stay within 0.01?",
-        "the map",
-        "compare",
-        { n_t: 1.5, k_t: 3, against: "pharr_humphreys", over: "n-k", focus: "pharr_humphreys" },
-      ],
-      [
-        "Name the trap in each of the five cards before you read its cure.",
-        "traps",
-        "theory",
-        { section: "traps" },
-      ],
+      "For which $n$ from 1 to 3 is Schlick's largest error below 0.04? [error over n](?view=compare&against=schlick&over=n)",
+      "Find the cheapest model that stays within 0.01 for iron. [iron, n = 2.9, k = 3](?view=compare&n_t=2.9&k_t=3&budget=0.01)",
+      "Where on the n, k plane does Pharr and Humphreys' form stay within 0.01? [the map](?view=compare&n_t=1.5&k_t=3&against=pharr_humphreys&over=n-k&focus=pharr_humphreys)",
+      "Name the trap in each of the five cards before you read its cure. [traps](?view=theory&section=traps)",
     ],
   },
   {
@@ -132,24 +62,9 @@ export const SHEETS = [
     level: "computer graphics and optics, 45 minutes",
     about: "From measured spectra to three numbers and what they lose.",
     tasks: [
-      [
-        "Over which wavelengths does gold's reflectance rise? Which color does it take away?",
-        "gold",
-        "materials",
-        { preset: "Au" },
-      ],
-      [
-        "Compare copper's spectrum with Schlick and F82-tint. Which of R, G and B is worst, and at which angle?",
-        "copper",
-        "materials",
-        { preset: "Cu" },
-      ],
-      [
-        "Rank silver, aluminium and iron by their F0 and explain which makes the best mirror in the blue.",
-        "silver",
-        "materials",
-        { preset: "Ag" },
-      ],
+      "Over which wavelengths does gold's reflectance rise? Which color does it take away? [gold](?view=materials&preset=Au)",
+      "Compare copper's spectrum with Schlick and F82-tint. Which of R, G and B is worst, and at which angle? [copper](?view=materials&preset=Cu)",
+      "Rank silver, aluminium and iron by their F0 and explain which makes the best mirror in the blue. [silver](?view=materials&preset=Ag)",
     ],
   },
   {
@@ -157,24 +72,9 @@ export const SHEETS = [
     level: "computer graphics, 45 minutes",
     about: "Energy between a surface and what is below it.",
     tasks: [
-      [
-        "A white wall of albedo 0.8 is varnished, $n=1.5$. What is its albedo now?",
-        "body 0.8",
-        "albedo",
-        { coat_n: 1.5, coat_body: 0.8 },
-      ],
-      [
-        "Why does a shirt get darker when it is wet? Change the index around the coat in your mind, then on the page.",
-        "albedos from inside",
-        "albedo",
-        { surface: "inside" },
-      ],
-      [
-        "Which fit of the internal albedo would you put into a shader, and why?",
-        "claimed and measured",
-        "albedo",
-        { surface: "inside", claims_by: "measured" },
-      ],
+      "A white wall of albedo 0.8 is varnished, $n=1.5$. What is its albedo now? [body 0.8](?view=albedo&coat_n=1.5&coat_body=0.8)",
+      "Why does a shirt get darker when it is wet? Change the index around the coat in your mind, then on the page. [albedos from inside](?view=albedo&surface=inside)",
+      "Which fit of the internal albedo would you put into a shader, and why? [claimed and measured](?view=albedo&surface=inside&claims_by=measured)",
     ],
   },
   {
@@ -182,20 +82,24 @@ export const SHEETS = [
     level: "for a lesson's last ten minutes",
     about: "Three curves, from easy to hard. Make your own and send the link.",
     tasks: [
-      ["A gem.", "first", "theory", { section: "mystery", mystery: "z1amiz" }],
-      ["Clear, but which?", "second", "theory", { section: "mystery", mystery: "qy2f0x" }],
-      ["A metal.", "third", "theory", { section: "mystery", mystery: "g21piv" }],
+      "A gem. [first](?view=theory&section=mystery&mystery=z1amiz)",
+      "Clear, but which? [second](?view=theory&section=mystery&mystery=qy2f0x)",
+      "A metal. [third](?view=theory&section=mystery&mystery=g21piv)",
     ],
   },
 ];
+
+/** @param {string} text */
+function task(text) {
+  const [, words = "", link = "", address = ""] = /^(.*) \[(.*)\]\((.*)\)$/.exec(text) ?? [];
+  return html`<li>${pieces(words)} ${followed(`${link} ↗`, address)}</li>`;
+}
 
 /** @param {Sheet} sheet */
 const article = ({ title, level, about, tasks }) => html`<article class="sheet">
   <h3>${title}</h3>
   <p class="hint">${level}. ${about}</p>
-  <ol>
-    ${tasks.map(([task, words, view, state]) => html`<li>${pieces(task)} ${pageLink(`${words} ↗`, view, state)}</li>`)}
-  </ol>
+  <ol>${tasks.map(task)}</ol>
 </article>`;
 
 export function createWorksheets() {

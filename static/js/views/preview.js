@@ -10,7 +10,7 @@ import { html, render } from "../page/lit.js";
 import { loadStyle } from "../page/style.js";
 import { createControls } from "../preview/controls.js";
 import { EXAMPLES, isShown } from "../preview/examples.js";
-import { BOUNDS, NONE, previewFields } from "../preview/fields.js";
+import { BOUNDS, NONE, previewFields, SEEN } from "../preview/fields.js";
 import { queries } from "../preview/queries.js";
 import { createSides } from "../preview/sides.js";
 import { createStage } from "../preview/stage.js";
@@ -37,18 +37,10 @@ const NO_WEBGL = html`<p class="no-webgl" role="status"><b>This browser draws no
 const short = (x) => (x === 0 ? "0" : x < 0.1 ? significant(x, 2) : plain(x, 3));
 
 /** @param {ViewContext} context */
-export function createView({
-  element,
-  catalog,
-  presets,
-  state,
-  actions,
-  say,
-  save,
-  describeMedia,
-}) {
+export function createView(context) {
+  const { element, catalog, state, actions, say } = context;
   const sides = createSides(catalog);
-  const controls = createControls({ catalog, presets, state, actions, describeMedia });
+  const controls = createControls(context);
   const examples = createExamples({
     examples: EXAMPLES,
     name: "preview-examples",
@@ -56,19 +48,10 @@ export function createView({
     onShow: (example) => actions.set(example.state),
     isShown,
   });
-  const stage = createStage({ state, actions, save, onMeasured: show });
-  const takeaway = createTakeaway({ catalog, state, actions, say, save });
+  const stage = createStage({ ...context, onMeasured: show });
+  const takeaway = createTakeaway(context);
   const choices = createChoices(actions, {
-    see: [
-      "What is shown",
-      {
-        split: "split",
-        flicker: "flicker",
-        difference: "difference",
-        left: "left",
-        right: "right",
-      },
-    ],
+    see: ["What is shown", Object.fromEntries(SEEN.map((word) => [word, word]))],
   });
   choices.elements.see.classList.add("unnamed");
   const gain = createRow({
