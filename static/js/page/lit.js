@@ -1,3 +1,3 @@
-/** Templates: what a panel shows is said once, and what has changed is set when it is rendered again. */
+/** lit-html, at one address. It is loaded where it is used, which is in no first picture. */
 
-export { html, nothing, render } from "../../vendor/lit-html-3.3.3/lit-html.js";
+export { html, nothing, render, svg } from "../../vendor/lit-html-3.3.3/lit-html.js";
