@@ -13,6 +13,7 @@ from app.answers.answer import Gaps, Table, Values, answer
 from app.answers.interface import CONVENTION, InterfaceFacts
 from app.optics.amplitudes import amplitudes, phase_deg, power
 from app.optics.angles import LANDMARKS
+from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
@@ -33,6 +34,20 @@ class Chosen:
     def arguments(self, interface: Interface) -> dict[str, Array]:
         """Values of all its parameters at an interface."""
         return self.model.arguments(interface, **self.given)
+
+    def of_one_color(self) -> Chosen:
+        """Refuse what is given for R, G and B, of which a line or a map can show but one.
+
+        Raises
+        ------
+        NotAllowed
+            If a parameter is three.
+        """
+        for name, value in self.given.items():
+            if value is not None and np.ndim(value) > 0:
+                three = ",".join(f"{number:g}" for number in np.ravel(value))
+                raise NotAllowed(f"{self.model.id}.{name}", three, "one number here, not three")
+        return self
 
 
 @answer

@@ -1,43 +1,46 @@
-"""`/errors`: how wrong models are at one interface."""
+"""`/errors`, `/errors/sweep` and `/errors/map`: how wrong models are."""
 
-# No `from __future__ import annotations` here: the query's type is made from the registry at run
-# time, and FastAPI could not look up its name.
+from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Annotated, Any, Literal
+from typing import Annotated, ClassVar, Literal
 
-import numpy as np
 from fastapi import APIRouter, Query
 from pydantic import Field
-from starlette.responses import Response
 
-from app.answers.curves import sampled_incidence
-from app.api.answers import Answer, Large
-from app.api.error_schemas import MEASURE, ErrorsOut, figures_json
+from app.answers.answer import Table
+from app.answers.axes import (
+    MOST_CELLS,
+    MOST_STEPS,
+    AxisName,
+    Scale,
+    SweptName,
+    refuse_many_cells,
+)
+from app.answers.error_grids import (
+    ErrorMap,
+    ErrorSweep,
+    MapMetric,
+    error_map,
+    error_sweep,
+    map_metric,
+)
+from app.answers.errors import Errors
+from app.answers.errors import errors as measured
+from app.api.axes import end, swept
 from app.api.model_parameters import (
+    ModelId,
+    ModelQuery,
     ModelsParameter,
-    model_arguments,
-    parse_models,
-    refuse_foreign_parameters,
-    with_model_parameters,
+    ModelsQuery,
+    with_parameters_of,
 )
 from app.api.params import InterfaceQuery, SamplesQuery
-from app.api.responses import CONVENTION, csv_body, interface_json, json_body
-from app.api.row_table import rows_csv_body
-from app.http.query import TableQuery
+from app.http.query import Count, LongQuery, Number, TableQuery
 from app.http.route import QueryRoute
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.metrics import METRICS, measure, point_error
-from app.optics.parameters import Array
-from app.optics.registry import Model, Registry
-
-COLUMNS = ["model", "quantity", "in_domain", "reason", *METRICS, "albedo_error"]
-
-_COLORS = ("R_red", "R_green", "R_blue")
+from app.optics.registry import Registry
 
 
-class ErrorsQuery(InterfaceQuery, SamplesQuery, TableQuery):
+class ErrorsQuery(ModelsQuery, InterfaceQuery, SamplesQuery, TableQuery, LongQuery):
     """Errors of models at one interface."""
 
     models: ModelsParameter = "schlick"
@@ -47,91 +50,70 @@ class ErrorsQuery(InterfaceQuery, SamplesQuery, TableQuery):
     )
 
 
-def model_errors(
-    model: Model,
-    interface: Interface,
-    incidence: Incidence,
-    arguments: Mapping[str, Array],
-    relative: bool,
-) -> list[dict[str, Any]]:
-    """Describe the errors of a model, one row or, for a triple, three."""
-    reason = model.reason_outside(interface)
-    metrics = measure(model, interface, arguments)
-    curves = {"error": point_error(model, interface, incidence, arguments)}
-    if relative:
-        curves["relative_error"] = point_error(model, interface, incidence, arguments, "relative")
-    triple = metrics["rms"].ndim > 0
-    rows = []
-    for channel, quantity in enumerate(_COLORS if triple else ("R",)):
+class ErrorSweepQuery(ModelQuery, InterfaceQuery, TableQuery, LongQuery):
+    """Errors of a model along a line of interfaces."""
 
-        def of(values: Array, channel: int = channel) -> float:
-            return float(values.ravel()[channel if values.size > 1 else 0])
+    model: ModelId = "schlick"
+    over: SweptName = Field("n_t", description="What is swept; eta = n_t / n_i.")
+    minimum: Number | None = end("First value; 0.1 for indices and 0 for k_t unless given.")
+    maximum: Number | None = end("Last value; 5 unless given.")
+    steps: Count = Field(101, ge=2, le=MOST_STEPS, description="Number of values.")
+    scale: Scale = Field("linear", description="Equal differences or equal ratios.")
 
-        rows.append(
-            {
-                "model": model.id,
-                "title": model.title,
-                "quantity": quantity,
-                "in_domain": reason is None,
-                "reason": reason,
-                "parameters": {name: of(value) for name, value in arguments.items()},
-                **figures_json({name: of(values) for name, values in metrics.items()}),
-                **{
-                    name: np.ascontiguousarray(np.atleast_2d(curve)[channel])
-                    for name, curve in curves.items()
-                },
-            }
-        )
-    return rows
+
+class ErrorMapQuery(ModelQuery, InterfaceQuery, TableQuery, LongQuery):
+    """Errors of a model over a rectangle: angle by index, or index by extinction."""
+
+    cells: ClassVar[tuple[str, ...]] = ("x_steps", "y_steps")
+
+    model: ModelId = "schlick"
+    x: AxisName = Field("theta_i_deg", description="Horizontal axis.")
+    x_minimum: Number | None = end("First x; d'Eon's ranges unless given.")
+    x_maximum: Number | None = end("Last x.")
+    x_steps: Count = Field(181, ge=2, le=MOST_CELLS // 2, description="Number of x.")
+    y: AxisName = Field("n_t", description="Vertical axis.")
+    y_minimum: Number | None = end("First y.")
+    y_maximum: Number | None = end("Last y.")
+    y_steps: Count = Field(121, ge=2, le=MOST_CELLS // 2, description="Number of y.")
+    metric: MapMetric | None = Field(
+        None,
+        description="With theta_i_deg as an axis error (the default), absolute or relative, at each "
+        "angle; otherwise a figure over the hemisphere, max_abs by default.",
+    )
 
 
 def router(registry: Registry) -> APIRouter:
     """Routes over the models of `registry`."""
     routes = APIRouter(route_class=QueryRoute, tags=["errors"])
-    Query_ = with_model_parameters(ErrorsQuery, registry)
 
-    def respond(query: ErrorsQuery, models: list[Model], interface: Interface) -> Response:
-        incidence = sampled_incidence(interface, query.samples, query.landmarks)
-        rows = [
-            row
-            for model in models
-            for row in model_errors(
-                model,
-                interface,
-                incidence,
-                model.arguments(interface, **model_arguments(query, model)),
-                query.relative,
-            )
-        ]
-        rows.sort(key=lambda row: (np.isnan(row["rms"]), row["rms"], row["model"]))
-        if query.format == "csv" and query.table == "curves":
-            columns = {
-                f"{row['model']}.{row['quantity']}.{name}": row[name]
-                for row in rows
-                for name in ("error", "relative_error")
-                if name in row
-            }
-            columns = {"theta_i_deg": incidence.theta_i_deg} | columns
-            return csv_body(columns, query.digits, "fresnel_errors.csv")
-        if query.format == "csv":
-            return rows_csv_body(COLUMNS, rows, query.digits, "fresnel_errors.csv")
-        payload = {
-            "interface": interface_json(interface),
-            "convention": CONVENTION,
-            "reference": "exact",
-            "measure": MEASURE,
-            "theta_i_deg": incidence.theta_i_deg,
-            "errors": rows,
-        }
-        return json_body(payload, query.digits)
+    @routes.get("/errors", response_model=Errors, summary="How wrong models are")
+    @with_parameters_of(registry)
+    def errors(query: Annotated[ErrorsQuery, Query()]) -> Errors | Table:
+        answer = measured(
+            query.interface(),
+            query.chosen(),
+            samples=query.samples,
+            landmarks=query.landmarks,
+            relative=query.relative,
+        )
+        over_angle = query.format == "csv" and query.table == "curves"
+        return answer.curves() if over_angle else answer
 
-    @routes.get("/errors", response_model=ErrorsOut, summary="How wrong models are")
-    def errors(query: Annotated[Query_, Query()]) -> Answer:  # type: ignore[valid-type]
-        return answer(query)
+    @routes.get("/errors/sweep", summary="Errors over n_t, k_t or eta")
+    @with_parameters_of(registry)
+    def sweep(query: Annotated[ErrorSweepQuery, Query()]) -> ErrorSweep:
+        chosen = query.chosen()
+        axis = swept(query, query.over, "", query.steps, query.scale)
+        return error_sweep(chosen, query.interface(), axis)
 
-    def answer(query: ErrorsQuery) -> Answer:
-        models = parse_models(query.models, registry)
-        refuse_foreign_parameters(query, models, registry)
-        return Large(respond, query, models, query.interface())
+    @routes.get("/errors/map", summary="Errors over a rectangle")
+    @with_parameters_of(registry)
+    def rectangle(query: Annotated[ErrorMapQuery, Query()]) -> ErrorMap:
+        chosen = query.chosen()
+        refuse_many_cells("x_steps", x_steps=query.x_steps, y_steps=query.y_steps)
+        metric = map_metric(query.x, query.y, query.metric)
+        x = swept(query, query.x, "x_", query.x_steps)
+        y = swept(query, query.y, "y_", query.y_steps)
+        return error_map(chosen, query.interface(), x, y, metric)
 
     return routes

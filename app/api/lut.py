@@ -11,17 +11,13 @@ from fastapi import APIRouter, Query
 from pydantic import BaseModel, Field
 from starlette.responses import Response
 
+from app.answers.axes import AxisName, held, interfaces, refuse_many_cells
+from app.answers.curves import Chosen
 from app.api.answers import Answer, Large
-from app.api.error_grids import (
-    MOST_CELLS,
-    ModelId,
-    fixed_indices,
-    interface_over,
-    make_axis,
-    scalar_arguments,
-)
+from app.api.axes import swept
 from app.api.lut_files import exr_bytes, npy_bytes, png_bytes
 from app.api.model_parameters import (
+    ModelId,
     model_arguments,
     refuse_foreign_parameters,
     with_model_parameters,
@@ -179,7 +175,7 @@ def _curve(query: _TableQuery, model: Model, size: int) -> Table:
         R = model.evaluate(interface, Incidence.from_cosine(mu.ravel()), arguments)
         return np.moveaxis(np.atleast_2d(R), 0, -1).reshape(*mu.shape, -1)
 
-    said = {"interface": interface_json(interface), **fixed_indices(query)}
+    said = {"interface": interface_json(interface), **held(query.interface())._asdict()}
     return _line("R", "mu", (0.0, 1.0), size, values, said)
 
 
@@ -198,7 +194,7 @@ def _spectral(query: LutQuery, model: Model) -> Table:
 
     said = {
         "interface": interface_json(query.interface()),
-        **fixed_indices(query),
+        **held(query.interface())._asdict(),
         "warnings": list(spectrum.visible.warnings),
     }
     return _line("R in linear sRGB", "mu", (0.0, 1.0), query.size, values, said)
@@ -208,15 +204,15 @@ def _albedo(query: _TableQuery, model: Model, size: int) -> Table:
     """The albedo of exact over an index."""
     if model.id != "exact":
         raise NotAllowed("model", model.id, "exact where the table is one of albedos")
-    axis = make_axis(query, query.over, "", 2)
+    axis = swept(query, "n_t" if query.over == "n_t" else "k_t", "", 2)
 
     def values(index: Array) -> Array:
         flat = index.ravel()
-        shares = albedo(interface_over(query, {query.over: flat})).unpolarized
+        shares = albedo(interfaces(query.interface(), {query.over: flat})).unpolarized
         return shares.reshape(*index.shape, 1)
 
     low, high = axis.values.tolist()
-    said = {"interface": None, **fixed_indices(query, axis.name)}
+    said = {"interface": None, **held(query.interface(), axis.name)._asdict()}
     return _line("albedo", query.over, (low, high), size, values, said)
 
 
@@ -235,20 +231,19 @@ def _line(
 
 def _sheet(query: LutQuery, model: Model) -> Table:
     """R over mu and an index."""
-    if query.size * query.rows > MOST_CELLS:
-        raise NotAllowed("rows", query.rows, f"size times rows at most {MOST_CELLS}")
-    name = query.over.removeprefix("mu,")
-    axis = make_axis(query, name, "", query.rows)
-    own = scalar_arguments(query, model)
+    refuse_many_cells("rows", size=query.size, rows=query.rows)
+    name: AxisName = "n_t" if query.over == "mu,n_t" else "k_t"
+    axis = swept(query, name, "", query.rows)
+    own = Chosen(model, model_arguments(query, model)).of_one_color().given
 
     def values(mu: Array, index: Array) -> Array:
-        interface = interface_over(query, {name: index})
+        interface = interfaces(query.interface(), {name: index})
         R = model.evaluate(interface, Incidence.from_cosine(mu), model.arguments(interface, **own))
         return R[..., np.newaxis]
 
     low, high = float(axis.values[0]), float(axis.values[-1])
     true = values(np.linspace(0.0, 1.0, query.size), axis.values[:, np.newaxis])
-    said = {"interface": None, **fixed_indices(query, name)}
+    said = {"interface": None, **held(query.interface(), name)._asdict()}
     axes = (("mu", 0.0, 1.0, query.size), (name, low, high, query.rows))
     ends = ((0.0, 1.0), (low, high))
     return Table("R", axes, true, lambda texels: sheet_error(texels, ends, values), said)

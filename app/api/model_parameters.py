@@ -33,7 +33,7 @@ Endpoint = TypeVar("Endpoint", bound=Callable[..., Any])
 _ANY_MODELS = "Comma-separated ids of models, as listed at /models."
 
 ModelsParameter = Annotated[str, Field(description=_ANY_MODELS, examples=["exact,schlick"])]
-
+ModelId = Annotated[str, Field(description="Id of a model, as listed at /models.")]
 
 _NUMBER: TypeAdapter[float] = TypeAdapter(Number)
 _THREE = {"type": "string", "pattern": "^[^,]+,[^,]+,[^,]+$"}
@@ -92,6 +92,28 @@ class ModelsQuery(QueryModel):
         models = parse_models(self.models, self.registry)
         refuse_foreign_parameters(self, models, self.registry)
         return [Chosen(model, model_arguments(self, model)) for model in models]
+
+
+class ModelQuery(QueryModel):
+    """Which model; `with_parameters_of` adds the parameters of all."""
+
+    registry: ClassVar[Registry]
+
+    model: ModelId = "exact"
+
+    def chosen(self) -> Chosen:
+        """Look up the model, with what is given for its own parameters.
+
+        Raises
+        ------
+        UnknownModel
+            If it is not registered.
+        BadParameters
+            If parameters of other models are given.
+        """
+        model = self.registry.find(self.model, "model")
+        refuse_foreign_parameters(self, [model], self.registry)
+        return Chosen(model, model_arguments(self, model))
 
 
 def with_parameters_of(registry: Registry) -> Callable[[Endpoint], Endpoint]:

@@ -68,6 +68,15 @@ class QueryModel(BaseModel):
             raise BadParameters({"parameter": first, "value": value, "message": message})
 
 
+class LongQuery(QueryModel):
+    """A query whose answer takes long, whatever it asks for."""
+
+    @property
+    def takes_long(self) -> bool:
+        """Always."""
+        return True
+
+
 class DigitsQuery(QueryModel):
     """How numbers are sent."""
 

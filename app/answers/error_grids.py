@@ -1,0 +1,147 @@
+"""Errors of one model along a line and over a rectangle of interfaces."""
+
+from __future__ import annotations
+
+from typing import Literal, cast
+
+import numpy as np
+
+from app.answers.answer import Gaps, Rows, Table, Values, answer
+from app.answers.axes import SETS, Axis, Grid, held
+from app.answers.curves import Chosen
+from app.answers.errors import FIGURES, MEASURE, FigureName, figures, metric_of
+from app.answers.interface import CONVENTION
+from app.optics.errors import NotAllowed
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.metrics import FAST, POINT_METRICS, Metric, PointMetric, measure, point_error
+from app.optics.parameters import Array
+from app.optics.registry import Model
+
+MapMetric = Literal[Metric, PointMetric, "albedo_error"]
+
+
+@answer
+class ErrorSweep:
+    """Errors of one model along a line of interfaces; every list has the length of `values`."""
+
+    model: str
+    convention: str
+    measure: str
+    n_i: float
+    n_t: float | None
+    """Null if it is swept."""
+    k_t: float | None
+    """Null if it is swept."""
+    over: str
+    values: Values
+    in_domain: list[bool]
+    max_abs: Gaps
+    max_abs_at_deg: Gaps
+    error_at_max: Gaps
+    rms: Gaps
+    cosine_weighted_mean: Gaps
+    max_relative: Gaps
+    max_relative_at_deg: Gaps
+    albedo_error: Gaps
+
+    def table(self) -> Table:
+        """Lay out a row each interface."""
+        columns: dict[str, Array] = {name: getattr(self, name) for name in FIGURES}
+        return Table({self.over: self.values} | columns, "fresnel_error_sweep.csv")
+
+
+@answer
+class ErrorMap:
+    """Errors of one model over a rectangle."""
+
+    model: str
+    convention: str
+    measure: str
+    n_i: float | None
+    """Null if it is an axis."""
+    n_t: float | None
+    """Null if it or eta is an axis."""
+    k_t: float | None
+    """Null if it is an axis."""
+    metric: str
+    x: Axis
+    y: Axis
+    values: Rows
+    """A row for every y, a column for every x."""
+
+    def table(self) -> Table:
+        """Lay out a row each point."""
+        grid = Grid(Interface(), self.x, self.y)
+        columns = grid.columns() | {self.metric: self.values.ravel()}
+        return Table(columns, "fresnel_error_map.csv")
+
+
+def error_sweep(chosen: Chosen, fixed: Interface, axis: Axis) -> ErrorSweep:
+    """Measure a model along an axis."""
+    grid, model = Grid(fixed, axis), chosen.model
+    metrics = measure(model, grid.interface, chosen.of_one_color().arguments(grid.interface))
+    _, n_t, k_t = held(fixed, axis.name)
+    return ErrorSweep(
+        model=model.id,
+        convention=CONVENTION,
+        measure=MEASURE,
+        n_i=float(fixed.n_i),
+        n_t=n_t,
+        k_t=k_t,
+        over=axis.name,
+        values=axis.values,
+        in_domain=_inside(model, grid.interface),
+        **figures(metrics),
+    )
+
+
+def _inside(model: Model, interface: Interface) -> list[bool]:
+    media = np.broadcast_arrays(interface.n_i, interface.n_t, interface.k_t)
+    points = zip(*(m.tolist() for m in media), strict=True)
+    return [model.reason_outside(Interface(*point)) is None for point in points]
+
+
+def map_metric(x: str, y: str, metric: MapMetric | None) -> MapMetric:
+    """Choose the metric that fits the axes of a map.
+
+    Raises
+    ------
+    NotAllowed
+        If the one asked for does not, or if the axes are the same.
+    """
+    if SETS.get(x, x) == SETS.get(y, y):
+        raise NotAllowed("y", y, f"something else than x, {x}, varies")
+    by_angle = "theta_i_deg" in (x, y)
+    allowed: tuple[MapMetric, ...] = POINT_METRICS if by_angle else FIGURES
+    metric = metric or ("error" if by_angle else "max_abs")
+    if metric not in allowed:
+        where = "with theta_i_deg as an axis" if by_angle else "without theta_i_deg as an axis"
+        raise NotAllowed("metric", metric, f"one of {', '.join(allowed)} {where}")
+    return metric
+
+
+def error_map(chosen: Chosen, fixed: Interface, x: Axis, y: Axis, metric: MapMetric) -> ErrorMap:
+    """Measure a model over a rectangle, by the metric that `map_metric` chose."""
+    grid, model = Grid(fixed, x, y), chosen.model
+    interface = grid.interface
+    arguments = chosen.of_one_color().arguments(interface)
+    if "theta_i_deg" in grid.varied:
+        incidence = Incidence.from_degrees(grid.varied["theta_i_deg"])
+        values = point_error(model, interface, incidence, arguments, cast("PointMetric", metric))
+    else:
+        name = metric_of(cast("FigureName", metric))
+        values = measure(model, interface, arguments, FAST, [name])[name]
+    n_i, n_t, k_t = held(fixed, x.name, y.name)
+    return ErrorMap(
+        model=model.id,
+        convention=CONVENTION,
+        measure=MEASURE,
+        n_i=n_i,
+        n_t=n_t,
+        k_t=k_t,
+        metric=metric,
+        x=x,
+        y=y,
+        values=np.ascontiguousarray(values),
+    )
