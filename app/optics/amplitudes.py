@@ -39,16 +39,23 @@ from app.optics.factors import brewster_factor, normal_square
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.numerics.blocks import in_blocks
-from app.optics.numerics.choice import Condition, anywhere, choose, everywhere
-from app.optics.parameters import Array, Number
+from app.optics.numerics.choice import (
+    absolute,
+    anywhere,
+    choose,
+    everywhere,
+    maximum,
+    sqrt,
+)
+from app.optics.parameters import Array, Condition, Number
 
 Complex = NDArray[np.complex128]
 
-_SMALLEST = 1e-300  # in place of 0 below a fraction whose numerator is 0 too
+# In place of 0 below fractions whose numerator is 0 too; the square of the second is no 0 either.
+_SMALLEST, _SMALLEST_DEN = 1e-300, 1e-150
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Wave:
+class Wave(NamedTuple):
     """Normal component q = a + i b of the second medium's wave vector, in units of n_i k_0.
 
     Attributes
@@ -58,11 +65,14 @@ class Wave:
         without absorption.
     abs2
         a^2 + b^2.
+    stands
+        Where a is 0 and b is not, so that nothing travels on.
     """
 
-    a: Array
-    b: Array
-    abs2: Array
+    a: Number
+    b: Number
+    abs2: Number
+    stands: Condition
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -97,25 +107,25 @@ def wave(interface: Interface, incidence: Incidence) -> Wave:
     Returns
     -------
     Wave
-        Of the broadcast shape, with a >= 0 and b >= 0.
+        Numbers that broadcast to the shape of both, with a >= 0 and b >= 0.
     """
     real = normal_square(interface, incidence)
     forward = real >= 0.0
     if interface.is_lossless:
-        if forward.all():
-            return Wave(np.sqrt(real), np.zeros_like(real), real)
-        return Wave(np.sqrt(np.maximum(real, 0.0)), np.sqrt(np.maximum(-real, 0.0)), np.abs(real))
+        if everywhere(forward):
+            return Wave(sqrt(real), 0.0, real, False)
+        a, b = sqrt(maximum(real, 0.0)), sqrt(maximum(-real, 0.0))
+        return Wave(a, b, absolute(real), real < 0.0)
     eta, kappa, _ = interface.relative
     product = 2.0 * eta * kappa
-    abs2 = np.sqrt(real * real + product * product)
+    abs2 = sqrt(real * real + product * product)
     # The larger of a and b by a sum of positive terms, the smaller from 2 a b = product.
-    larger = np.sqrt(0.5 * (abs2 + np.abs(real)))
-    smaller = 0.5 * product / (np.maximum(larger, _SMALLEST) if interface.shape else larger)
-    return Wave(
-        np.asarray(choose(forward, lambda: larger, lambda: smaller)),
-        np.asarray(choose(forward, lambda: smaller, lambda: larger)),
-        abs2,
-    )
+    larger = sqrt(0.5 * (abs2 + absolute(real)))
+    faint = not everywhere(interface.absorbs_strongly)
+    smaller = 0.5 * product / (maximum(larger, _SMALLEST) if faint else larger)
+    a = choose(forward, lambda: larger, lambda: smaller)
+    b = choose(forward, lambda: smaller, lambda: larger)
+    return Wave(a, b, abs2, (a == 0.0) & (b > 0.0) if faint else False)
 
 
 def amplitudes(interface: Interface, incidence: Incidence) -> Amplitudes:
@@ -160,7 +170,7 @@ def _amplitudes(interface: Interface, incidence: Incidence) -> tuple[Complex, ..
     # Towards 90 degrees r_s = -1 + 2 c/q and r_p = -1 + 2 c N^2/q, from below the axis or above it.
     grazing = (c == 0.0) & ~matched
     return (
-        _at_grazing(grazing, q.b > 0.0, np.where(matched, 0.0, r_s)),
+        _at_grazing(grazing, np.asarray(q.b > 0.0), np.where(matched, 0.0, r_s)),
         _at_grazing(grazing, square.imag * q.a < square.real * q.b, np.where(matched, 0.0, r_p)),
         np.where(matched, 1.0, t_s + 0.0),
         np.where(matched, 1.0, t_p + 0.0),
@@ -228,97 +238,99 @@ class _Terms(NamedTuple):
 
     Attributes
     ----------
-    a
-        Re q.
+    q
+        Normal component in the second medium.
+    contrast
+        |N^2 - 1|^2.
+    none
+        Where it is 0: without a boundary.
     den_s
         |c + q|^2, multiplied out into a sum in which nothing cancels.
     even, odd
-        |c q|^2 + s^4 and 2 c s^2 Re q: their sum is |c q + s^2|^2, their difference |c q - s^2|^2.
-    abs2
-        |q|^2.
+        |c q|^2 + s^4 and 2 c s^2 Re q, whose difference is |c q - s^2|^2.
+    den_p
+        Their sum, |c q + s^2|^2.
     total
-        Where all is reflected, to the last bit: at 90 degrees and beyond the critical angle.
+        Where all is reflected, to the last bit: at 90 degrees and beyond the critical angle, but not
+        without a boundary.
     """
 
-    a: Array
-    den_s: Array
-    even: Array
-    odd: Array
-    abs2: Array
-    total: NDArray[np.bool_]
+    q: Wave
+    contrast: Number
+    none: Condition
+    den_s: Number
+    even: Number
+    odd: Number
+    den_p: Number
+    total: Condition
 
 
 def _terms(interface: Interface, incidence: Incidence) -> _Terms:
-    q, c, s = wave(interface, incidence), incidence.cos, incidence.sin
+    q, (c, s) = wave(interface, incidence), incidence.numbers
+    eta, kappa, eta_minus_1 = interface.relative
+    eta_plus_1, kappa2 = eta + 1.0, kappa * kappa
+    contrast = (eta_minus_1 * eta_minus_1 + kappa2) * (eta_plus_1 * eta_plus_1 + kappa2)
     c2, s2, double = c * c, s * s, 2.0 * c * q.a
-    total = c == 0.0
-    if not everywhere(interface.absorbs_strongly):
-        total = total | ((q.a == 0.0) & (q.b > 0.0))
-    return _Terms(q.a, c2 + double + q.abs2, q.abs2 * c2 + s2 * s2, double * s2, q.abs2, total)
+    even, odd, den_s = q.abs2 * c2, double * s2, c2 + double
+    even += s2 * s2
+    den_s += q.abs2
+    none, total = contrast == 0.0, (c == 0.0) | q.stands
+    if anywhere(none):
+        # A grazing ray would be 0/0 without a boundary: nothing of it is reflected.
+        den_s, total = maximum(den_s, _SMALLEST_DEN), total & (contrast > 0.0)
+    if not anywhere(total):
+        total = False
+    return _Terms(q, contrast, none, den_s, even, odd, even + odd, total)
 
 
 def _reflectance(interface: Interface, incidence: Incidence) -> tuple[Array]:
-    return (_unpolarized(interface, _terms(interface, incidence)),)
+    return (np.asarray(_unpolarized(_terms(interface, incidence))),)
 
 
-def _unpolarized(interface: Interface, terms: _Terms) -> Array:
+def _unpolarized(terms: _Terms) -> Number:
     """R = (Rs + Rp) / 2, where the two squares of Rp add up to 2 `even`: nothing cancels."""
-    contrast = _contrast(interface)
-    with np.errstate(invalid="ignore"):
-        R = contrast * terms.even / (terms.den_s * terms.den_s * (terms.even + terms.odd))
-    return _with_ends(R, contrast == 0.0, terms.total)
+    R = terms.contrast * terms.even / (terms.den_s * terms.den_s * terms.den_p)
+    return _with_end(R, terms.total)
 
 
 def _powers(interface: Interface, incidence: Incidence) -> tuple[Array, ...]:
-    terms, c, s = _terms(interface, incidence), incidence.cos, incidence.sin
-    contrast, den_p = _contrast(interface), terms.even + terms.odd
+    terms, (c, s) = _terms(interface, incidence), incidence.numbers
+    q, contrast, none, den_s, even, odd, den_p, total = terms
 
-    def careful() -> Array:
+    def careful() -> Number:
         # (c q - s^2) (c q + s^2) = N^2 c^2 - s^2
         real, imag = _brewster_null(interface, incidence)
         return (real * real + imag * imag) / den_p
 
-    null = choose(interface.absorbs_strongly, lambda: terms.even - terms.odd, careful)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        Rs = contrast / (terms.den_s * terms.den_s)
-        Rp = Rs * null / den_p
-        Ts = 4.0 * c * terms.a / terms.den_s
-        Tp = Ts * (terms.abs2 + s * s) / den_p
-    none = contrast == 0.0
-    zero = terms.total & ~np.asarray(none)
-    return (
-        _unpolarized(interface, terms),
-        _with_ends(Rs, none, terms.total),
-        _with_ends(Rp, none, terms.total),
-        _with_ends(Ts, zero, none),
-        _with_ends(Tp, zero, none),
+    null = choose(interface.absorbs_strongly, lambda: even - odd, careful)
+    Rs = contrast / (den_s * den_s)
+    Rp = Rs * null / den_p
+    Ts = 4.0 * c * q.a / den_s
+    Tp = Ts * (q.abs2 + s * s) / den_p
+    powers = (
+        _unpolarized(terms),
+        _with_end(Rs, total),
+        _with_end(Rp, total),
+        _with_end(Ts, none),
+        _with_end(Tp, none),
     )
+    return tuple(np.asarray(values) for values in powers)
 
 
-def _contrast(interface: Interface) -> Number:
-    """|N^2 - 1|^2, which is 0 without a boundary."""
-    eta, kappa, eta_minus_1 = interface.relative
-    eta_plus_1, kappa2 = eta + 1.0, kappa * kappa
-    return (eta_minus_1 * eta_minus_1 + kappa2) * (eta_plus_1 * eta_plus_1 + kappa2)
-
-
-def _with_ends(values: Array, zero: Condition, one: Condition) -> Array:
-    """Set the known ends, and take off the last bit by which a power may round above 1.
-
-    Without a boundary (N = 1) nothing is reflected, not even where all else is: `zero` prevails.
-    """
-    values = np.minimum(values, 1.0)
-    if anywhere(one):
-        values = np.where(one, 1.0, values)
-    if anywhere(zero):
-        values = np.where(zero, 0.0, values)
+def _with_end(values: Number, one: Condition) -> Number:
+    """Set 1 where it is known, and take off the last bit by which a power may round above it."""
+    if isinstance(values, float):
+        return 1.0 if one else min(values, 1.0)
+    np.minimum(values, 1.0, out=values)
+    if one is not False:
+        np.copyto(values, 1.0, where=one)
     return values
 
 
-def _brewster_null(interface: Interface, incidence: Incidence) -> tuple[Array, Number]:
+def _brewster_null(interface: Interface, incidence: Incidence) -> tuple[Number, Number]:
     """N^2 c^2 - s^2 as real and imaginary part: the factor that vanishes at Brewster's angle."""
-    c, (eta, kappa, _) = incidence.cos, interface.relative
-    real = brewster_factor(interface, incidence) * (eta * c + incidence.sin)
+    (c, s), (eta, kappa, _) = incidence.numbers, interface.relative
+    real = brewster_factor(interface, incidence) * (eta * c + s)
     if interface.is_lossless:
         return real, 0.0
     absorbed = kappa * c

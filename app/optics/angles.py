@@ -10,10 +10,12 @@ import numpy as np
 from scipy.optimize import brentq
 
 from app.optics.factors import brewster_angle_deg, critical_angle_deg
-from app.optics.interface import Interface
+from app.optics.interface import Interface, worked_out_once
+from app.optics.numerics.choice import anywhere, everywhere, select
 from app.optics.parameters import Array
 
 
+@worked_out_once
 def brewster_deg(interface: Interface) -> Array:
     """Brewster's angle arctan(eta), where Rp = 0.
 
@@ -22,10 +24,13 @@ def brewster_deg(interface: Interface) -> Array:
     Array
         Degrees, of the interface's shape; NaN where the second medium absorbs.
     """
-    angle = brewster_angle_deg(interface.n_i, interface.n_t).high
-    return np.where(interface.k_t > 0.0, np.nan, angle)
+    n_i, n_t, k_t = interface.indices
+    absorbs = k_t > 0.0
+    angle = np.nan if everywhere(absorbs) else brewster_angle_deg(n_i, n_t)[0]
+    return np.asarray(select(absorbs, np.nan, angle))
 
 
+@worked_out_once
 def critical_deg(interface: Interface) -> Array:
     """Critical angle arcsin(eta), beyond which all light is reflected.
 
@@ -34,15 +39,16 @@ def critical_deg(interface: Interface) -> Array:
     Array
         Degrees, of the interface's shape; NaN where eta >= 1 or the second medium absorbs.
     """
-    n_i, n_t = interface.n_i, interface.n_t
-    exists = (n_t < n_i) & (interface.k_t == 0.0)
-    if not exists.any():
-        return np.full(exists.shape, np.nan)
+    n_i, n_t, k_t = interface.indices
+    exists = (n_t < n_i) & (k_t == 0.0)
+    if not anywhere(exists):
+        return np.full(interface.shape, np.nan)
     # Where there is none, a stand-in keeps the root real.
-    angle = critical_angle_deg(n_i, np.where(exists, n_t, 0.5 * n_i)).high
-    return np.where(exists, angle, np.nan)
+    angle = critical_angle_deg(n_i, select(exists, n_t, 0.5 * n_i))[0]
+    return np.asarray(select(exists, angle, np.nan))
 
 
+@worked_out_once
 def pseudo_brewster_deg(interface: Interface) -> Array:
     """Angle of least Rp, which is Brewster's angle without absorption.
 
@@ -59,10 +65,18 @@ def pseudo_brewster_deg(interface: Interface) -> Array:
     .. [1] R. M. A. Azzam, Complex reflection coefficients of p- and s-polarized light at the
        pseudo-Brewster angle of a dielectric-conductor interface, J. Opt. Soc. Am. A 30, 1975 (2013).
     """
-    lossless = brewster_deg(interface)
+    return _brewster_or(interface, _least_Rp_deg)
+
+
+def _brewster_or(interface: Interface, solve: Callable[[float, float], float]) -> Array:
+    """Brewster's angle without absorption, elsewhere `solve(eta, kappa)`, one at a time."""
     if not interface.is_conductor:
-        return lossless
-    solved = np.vectorize(_least_Rp_deg, otypes=[np.float64])(interface.eta, interface.kappa)
+        return brewster_deg(interface)
+    eta, kappa, _ = interface.relative
+    if isinstance(eta, float) and isinstance(kappa, float):
+        return np.asarray(solve(eta, kappa))
+    lossless = brewster_deg(interface)
+    solved = np.vectorize(solve, otypes=[np.float64])(eta, kappa)
     return np.where(np.isnan(lossless), solved, lossless)
 
 
@@ -90,6 +104,7 @@ def _least_Rp_deg(eta: float, kappa: float) -> float:
     return math.degrees(math.atan(math.sqrt(t)))
 
 
+@worked_out_once
 def principal_deg(interface: Interface) -> Array:
     r"""Principal angle, where the phases of r_p and r_s are 90 degrees apart.
 
@@ -123,11 +138,7 @@ def principal_deg(interface: Interface) -> Array:
     >>> round(float(phase_deg(at.r_p) - phase_deg(at.r_s)) % 180, 9)
     90.0
     """
-    lossless = brewster_deg(interface)
-    if not interface.is_conductor:
-        return lossless
-    solved = np.vectorize(_quadrature_deg, otypes=[np.float64])(interface.eta, interface.kappa)
-    return np.where(np.isnan(lossless), solved, lossless)
+    return _brewster_or(interface, _quadrature_deg)
 
 
 def _quadrature_deg(eta: float, kappa: float) -> float:

@@ -39,7 +39,7 @@ from app.optics.edge_tint import (
     relative_interface,
 )
 from app.optics.errors import NotAllowed
-from app.optics.interface import Interface
+from app.optics.interface import Interface, normal_reflectance
 from app.optics.parameters import K_T, N_I, N_T, Array, Parameter
 from app.optics.specular import F82, tint_at_82
 
@@ -381,7 +381,7 @@ def _seen_from(known: Known, other: float) -> Conversion:
         why = "F0 = 1 says nothing of the index"
         return Conversion("f0_seen_from", {"n_i": other, "F0": None}, "infeasible", why)
     n, k = eta * known.n_i, kappa * known.n_i
-    F0 = ((n - other) ** 2 + k**2) / ((n + other) ** 2 + k**2)
+    F0 = float(normal_reflectance(other, n, k))
     status, why = _reflectance_status(known)
     if not known.has_index:
         status = "exact" if n >= other else "lossy"

@@ -28,7 +28,7 @@ _FAR, _BESIDE = 0.5, 0.1
 
 def branch_cosine(interface: Interface) -> Array:
     """Real part of mu where q vanishes, |Re sqrt(1 - N^2)|, of the interface's shape."""
-    return _grazing(interface).b
+    return np.broadcast_to(_grazing(interface).b, interface.shape)
 
 
 def bends_gently(interface: Interface) -> NDArray[np.bool_]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from app.optics.numerics.choice import select
-from app.optics.parameters import MU, THETA_I, THETA_I_DEG, Array
+from app.optics.parameters import MU, THETA_I, THETA_I_DEG, Array, Number
 
 _RADIANS = np.pi / 180.0
 
@@ -47,7 +47,8 @@ class Incidence:
         tangent = np.tan(_RADIANS * np.minimum(degrees, 90.0 - degrees))
         near = 1.0 / np.sqrt(1.0 + tangent * tangent)
         far = tangent * near
-        return cls(select(steep, far, near), select(steep, near, far), degrees)
+        cos, sin = select(steep, far, near), select(steep, near, far)
+        return cls(np.asarray(cos), np.asarray(sin), degrees)
 
     @classmethod
     def from_radians(cls, theta_i: ArrayLike) -> Incidence:
@@ -77,6 +78,13 @@ class Incidence:
     def shape(self) -> tuple[int, ...]:
         """Shape of the directions."""
         return self.cos.shape
+
+    @property
+    def numbers(self) -> tuple[Number, Number]:
+        """Cosine and sine, as plain numbers where the direction is one."""
+        if self.cos.ndim == 0:
+            return float(self.cos), float(self.sin)
+        return self.cos, self.sin
 
     def map(self, pick: Callable[[Array], Array]) -> Incidence:
         """Pick the same directions from every array."""

@@ -10,8 +10,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.optics.numerics.choice import Condition
-from app.optics.parameters import K_T, N_I, N_T, Array, Number
+from app.optics.numerics.choice import anywhere, select
+from app.optics.parameters import K_T, N_I, N_T, Array, Condition, Number
 
 Kind = Literal["dielectric", "conductor"]
 
@@ -54,22 +54,6 @@ class Interface:
         object.__setattr__(self, "k_t", K_T.check(k_t))
 
     @cached_property
-    def eta(self) -> Array:
-        """Relative index n_t / n_i."""
-        return np.asarray(self.n_t / self.n_i)
-
-    @cached_property
-    def kappa(self) -> Array:
-        """Relative extinction k_t / n_i; 0 where the square of eta kappa would be no double."""
-        ratio = self.k_t / self.n_i
-        return np.asarray(ratio * (ratio >= _SMALLEST_KAPPA))
-
-    @cached_property
-    def eta_minus_1(self) -> Array:
-        """Eta - 1 from the difference of the indices, which is exact where eta is near 1."""
-        return np.asarray((self.n_t - self.n_i) / self.n_i)
-
-    @property
     def shape(self) -> tuple[int, ...]:
         """Shape that the three indices broadcast to."""
         if self.n_i.ndim == self.n_t.ndim == self.k_t.ndim == 0:
@@ -86,16 +70,42 @@ class Interface:
         return picked
 
     @cached_property
-    def relative(self) -> tuple[Number, Number, Number]:
-        """Eta, kappa and eta - 1, as plain numbers where the interface is one."""
+    def indices(self) -> tuple[Number, Number, Number]:
+        """n_i, n_t and k_t, as plain numbers where the interface is one."""
         if self.shape == ():
-            return float(self.eta), float(self.kappa), float(self.eta_minus_1)
-        return self.eta, self.kappa, self.eta_minus_1
+            return float(self.n_i), float(self.n_t), float(self.k_t)
+        return self.n_i, self.n_t, self.k_t
+
+    @cached_property
+    def relative(self) -> tuple[Number, Number, Number]:
+        """Eta, kappa and eta - 1, as plain numbers where the interface is one.
+
+        Kappa is 0 where the square of eta kappa would be no double. Eta - 1 is taken from the
+        difference of the indices, which is exact where eta is near 1.
+        """
+        n_i, n_t, k_t = self.indices
+        kappa = k_t / n_i
+        return n_t / n_i, select(kappa >= _SMALLEST_KAPPA, kappa, 0.0), (n_t - n_i) / n_i
+
+    @property
+    def eta(self) -> Array:
+        """Relative index n_t / n_i."""
+        return np.asarray(self.relative[0])
+
+    @property
+    def kappa(self) -> Array:
+        """Relative extinction k_t / n_i."""
+        return np.asarray(self.relative[1])
+
+    @property
+    def eta_minus_1(self) -> Array:
+        """Eta - 1 with the digits that the difference of eta and 1 would lose."""
+        return np.asarray(self.relative[2])
 
     @cached_property
     def is_lossless(self) -> bool:
         """Whether kappa is 0 everywhere, so that all waves are real or totally reflected."""
-        return not np.any(self.kappa)
+        return not anywhere(self.relative[1] > 0.0)
 
     @cached_property
     def absorbs_strongly(self) -> Condition:
@@ -109,7 +119,7 @@ class Interface:
     @cached_property
     def is_conductor(self) -> bool:
         """Whether the second medium absorbs anywhere."""
-        return bool(np.any(self.k_t > 0.0))
+        return anywhere(self.indices[2] > 0.0)
 
     @property
     def kind(self) -> Kind:
@@ -118,10 +128,14 @@ class Interface:
 
     @cached_property
     def F0(self) -> Array:
-        """Reflectance at normal incidence, ((n_t-n_i)^2 + k_t^2) / ((n_t+n_i)^2 + k_t^2)."""
-        return np.asarray(
-            ((self.n_t - self.n_i) ** 2 + self.k_t**2) / ((self.n_t + self.n_i) ** 2 + self.k_t**2)
-        )
+        """Reflectance at normal incidence."""
+        return np.asarray(normal_reflectance(*self.indices))
+
+
+def normal_reflectance(n_i: Number, n_t: Number, k_t: Number) -> Number:
+    """Reflectance at normal incidence, ((n_t-n_i)^2 + k_t^2) / ((n_t+n_i)^2 + k_t^2)."""
+    difference, total, k2 = n_t - n_i, n_t + n_i, k_t * k_t
+    return (difference * difference + k2) / (total * total + k2)
 
 
 Figure = Callable[[Interface], Array]

@@ -7,6 +7,7 @@ controls on the page are made from them.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,6 +18,9 @@ Array = NDArray[np.float64]
 
 Number = float | Array
 """One number, with which Python is faster, or many, with which NumPy is."""
+
+Condition = bool | NDArray[np.bool_]
+"""What holds of one number, or of each of many."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +79,9 @@ class Parameter:
         OutOfRange
             If any element is no real number, NaN, infinite, out of bounds or none of the choices.
         """
-        given = dict(self.choices).get(value, value) if isinstance(value, str) else value
+        given: Any = dict(self.choices).get(value, value) if isinstance(value, str) else value
+        if isinstance(given, float) and self._inside(given):
+            return np.asarray(given)
         try:
             if np.iscomplexobj(given):
                 raise TypeError
@@ -89,12 +95,15 @@ class Parameter:
 
     def admits(self, array: Array) -> NDArray[np.bool_]:
         """Which elements are within the bounds, whole and among the choices as declared."""
-        inside = (array >= self.minimum) & (array <= self.maximum)  # NaN compares false
+        return np.asarray(self._inside(array))
+
+    def _inside(self, values: Number) -> Condition:
+        inside = (values >= self.minimum) & (values <= self.maximum)  # NaN compares false
         if self.integer:
-            inside &= array == np.rint(array)
+            inside = inside & (values == np.rint(values))
         if self.choices:
-            inside &= np.isin(array, [number for _, number in self.choices])
-        return np.asarray(inside)
+            inside = inside & np.isin(values, [number for _, number in self.choices])
+        return inside
 
 
 class AboveMinimum(Parameter):
@@ -107,9 +116,8 @@ class AboveMinimum(Parameter):
         """The bounds in words."""
         return f"a finite number above {self.minimum:g}, up to {self.maximum:g} {self.unit}"
 
-    def admits(self, array: Array) -> NDArray[np.bool_]:
-        """Which elements are within the bounds."""
-        return super().admits(array) & (array > self.minimum)
+    def _inside(self, values: Number) -> Condition:
+        return super()._inside(values) & (values > self.minimum)
 
 
 N_I = Parameter(

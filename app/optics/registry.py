@@ -16,7 +16,7 @@ from app.optics.errors import NotAllowed, OutOfRange, UnknownModel
 from app.optics.formulas.formula import Symbol
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface, Kind
-from app.optics.numerics.blocks import in_blocks
+from app.optics.numerics.blocks import broadcast, in_blocks
 from app.optics.parameters import Array, Parameter
 
 ModelKind = Literal["exact", "approximation"]
@@ -208,8 +208,8 @@ class Model:
         # A form undefined at some angle answers NaN there, which is a result and not a fault.
         with np.errstate(invalid="ignore", divide="ignore"):
             (values,) = in_blocks(self._values, interface, incidence, arguments)
-        shape = np.broadcast_shapes(interface.shape, incidence.cos.shape, values.shape)
-        return np.broadcast_to(values, shape)
+        shape = broadcast(interface, incidence, values)
+        return values if values.shape == shape else np.broadcast_to(values, shape)
 
     def _values(self, *where: Any, **arguments: Array) -> tuple[Array]:
         return (self.function(*where, **arguments),)

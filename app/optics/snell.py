@@ -11,6 +11,7 @@ from app.optics.amplitudes import wave
 from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.numerics.blocks import broadcast
 from app.optics.parameters import N_I, N_T, Array
 
 _UNIT_TOLERANCE = 1e-6
@@ -18,8 +19,8 @@ _UNIT_TOLERANCE = 1e-6
 
 def is_totally_reflected(interface: Interface, incidence: Incidence) -> NDArray[np.bool_]:
     """Where no wave travels on: q is imaginary, sin(theta_i) > eta without absorption."""
-    q = wave(interface, incidence)
-    return np.asarray((interface.kappa == 0.0) & (q.a == 0.0) & (q.b > 0.0))
+    stands = (interface.kappa == 0.0) & wave(interface, incidence).stands
+    return np.broadcast_to(stands, broadcast(interface, incidence))
 
 
 def refraction_angle_deg(interface: Interface, incidence: Incidence) -> Array:
@@ -47,8 +48,8 @@ def penetration_depth_wavelengths(interface: Interface, incidence: Incidence) ->
         In vacuum wavelengths, 1 / (4 pi n_i Im q), of the broadcast shape; NaN where the wave
         travels on undamped.
     """
-    b = wave(interface, incidence).b
-    depth = np.full(np.broadcast_shapes(b.shape, interface.n_i.shape), np.nan)
+    b = np.asarray(wave(interface, incidence).b)
+    depth = np.full(broadcast(interface, incidence), np.nan)
     np.divide(1.0, 4.0 * np.pi * interface.n_i * b, out=depth, where=b > 0.0)
     return depth
 

@@ -9,10 +9,13 @@ import numpy as np
 from app.optics.amplitudes import reflectance
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface, worked_out_once
+from app.optics.numerics.choice import anywhere
 from app.optics.parameters import Array, Number, Parameter
 
 MU_BAR = 1.0 / 7.0
 """Cosine at which F82 is taken, about 81.8 degrees (Hoffman 2019; Kutz et al. 2021)."""
+
+_AT_82 = Incidence.from_cosine(MU_BAR)
 
 F0_PARAMETER = Parameter(
     "F0",
@@ -44,7 +47,7 @@ DIP_SCALE = 1.0 / (MU_BAR * (1.0 - MU_BAR) ** 6)
 @worked_out_once
 def F82(interface: Interface) -> Array:
     """Exact reflectance at cos(theta_i) = 1/7."""
-    return reflectance(interface, Incidence.from_cosine(MU_BAR))
+    return reflectance(interface, _AT_82)
 
 
 def tint_at_82(F0: Number, F82: Number) -> Array:
@@ -90,6 +93,6 @@ def only_F0(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
 
 def no_critical_angle(interface: Interface) -> str | None:
     """Why a curve from F0 alone is wrong on the denser side, or None on the thinner."""
-    if not interface.is_conductor and bool(np.any(interface.eta < 1.0)):
+    if not interface.is_conductor and anywhere(interface.relative[0] < 1.0):
         return "n_t < n_i: a curve made from F0 knows no critical angle"
     return None

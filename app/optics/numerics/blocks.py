@@ -33,15 +33,25 @@ Block = tuple[slice, ...]
 Function = Callable[..., Sequence[NDArray[Any]]]
 
 
-class Arrays(Protocol):
-    """Arrays that belong together, from each of which the same piece can be picked."""
+class Shaped(Protocol):
+    """What has a shape."""
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """What the arrays broadcast to."""
+        """Lengths along the axes."""
+
+
+class Arrays(Shaped, Protocol):
+    """Arrays that belong together, from each of which the same piece can be picked."""
 
     def map(self, pick: Callable[[Array], Array]) -> Self:
         """Pick from every array."""
+
+
+def broadcast(*shaped: Shaped) -> tuple[int, ...]:
+    """`np.broadcast_shapes`, at once where no more than one shape is there beside single numbers."""
+    shapes = {each.shape for each in shaped} - {()}
+    return np.broadcast_shapes(*shapes) if len(shapes) > 1 else next(iter(shapes), ())
 
 
 def blocks(shape: tuple[int, ...], size: int) -> Iterator[Block]:
@@ -83,10 +93,7 @@ def in_blocks(
         What `function` returns; of the broadcast shape where there was more than one piece.
     """
     arguments = arguments or {}
-    shape = directions.shape
-    if media.shape or arguments:
-        shapes = (array.shape for array in arguments.values())
-        shape = np.broadcast_shapes(shape, media.shape, *shapes)
+    shape = broadcast(directions, media, *arguments.values())
     size = VALUES * _OF_MANY_MEDIA if media.shape else VALUES
     if math.prod(shape) <= size:
         return tuple(function(media, directions, **arguments))

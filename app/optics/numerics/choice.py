@@ -1,18 +1,34 @@
-"""Either of two forms, value by value."""
+"""Functions of one number or of many, and either of two forms, value by value.
+
+One number is a float, with which Python is faster; many are an array, with which NumPy is.
+"""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
-from app.optics.parameters import Array, Number
-
-Condition = bool | NDArray[np.bool_]
+from app.optics.parameters import Array, Condition, Number
 
 # From here on the branch that `np.where` takes at each value costs more than a few calls.
 _MANY = 4096
+
+
+def sqrt(x: Number) -> Number:
+    """Square root of x >= 0."""
+    return math.sqrt(x) if isinstance(x, float) else np.sqrt(x)
+
+
+def absolute(x: Number) -> Number:
+    """Modulus."""
+    return abs(x) if isinstance(x, float) else np.abs(x)
+
+
+def maximum(x: Number, bound: float) -> Number:
+    """The larger of a value and a bound; NaN stays."""
+    return max(x, bound) if isinstance(x, float) else np.maximum(x, bound)
 
 
 def choose(condition: Condition, yes: Callable[[], Number], no: Callable[[], Number]) -> Number:
@@ -24,14 +40,16 @@ def choose(condition: Condition, yes: Callable[[], Number], no: Callable[[], Num
         return yes()
     if not anywhere(condition):
         return no()
-    return select(np.asarray(condition), yes(), no())
+    return select(condition, yes(), no())
 
 
-def select(condition: NDArray[np.bool_], yes: Number, no: Number) -> Array:
+def select(condition: Condition, yes: Number, no: Number) -> Number:
     """`np.where`, four times as fast where many values go either way without a pattern.
 
     The processor guesses wrong at every other branch then, so the bits are picked without one.
     """
+    if isinstance(condition, bool):
+        return yes if condition else no
     if condition.size < _MANY or isinstance(yes, float) or isinstance(no, float):
         return np.where(condition, yes, no)
     bits = no.view(np.int64)
