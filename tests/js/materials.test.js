@@ -12,6 +12,7 @@ import {
   wavelengthProperty,
 } from "../../static/js/media/wavelength-color.js";
 import { stretch, wavelength } from "../../static/js/numbers/format.js";
+import { decoded } from "../../static/js/numbers/srgb.js";
 import { arrange, logTicks } from "../../static/js/plot/axes.js";
 import { bandShapes } from "../../static/js/plot/figure.js";
 import { LinkError } from "../../static/js/state/state.js";
@@ -230,7 +231,7 @@ test("the lines of every wavelength stand out from the page", () => {
   const luminance = (hex) =>
     [1, 3, 5]
       .map((i) => Number.parseInt(hex.slice(i, i + 2), 16) / 255)
-      .map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
+      .map(decoded)
       .reduce((sum, c, i) => sum + c * ([0.2126, 0.7152, 0.0722][i] ?? 0), 0);
   const contrast = (/** @type {string} */ a, /** @type {string} */ b) => {
     const [low = 0, high = 0] = [luminance(a), luminance(b)].sort((x, y) => x - y);

@@ -2,6 +2,9 @@
 
 import { h } from "../page/dom.js";
 import { html, render } from "../page/lit.js";
+import { loadStyle } from "../page/style.js";
+
+await loadStyle("css/examples.css");
 
 /**
  * @template {{title: string, source: string}} Example

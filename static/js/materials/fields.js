@@ -1,6 +1,6 @@
 /** The state that the Materials view adds to the one all views share. */
 
-import { choice, LinkError, number, optional } from "../state/state.js";
+import { choice, LinkError, number, optional, text } from "../state/state.js";
 import { COLUMNS } from "./columns.js";
 
 /** The wavelengths of Shirley's figure of copper, in nm. */
@@ -8,18 +8,6 @@ export const SHIRLEY_NM = Object.freeze([400, 500, 600, 700, 800]);
 /** Where wavelengths are looked at: from the far ultraviolet to radio, whatever a source covers. */
 const NM = { minimum: 1, maximum: 1e9 };
 const MOST_WAVELENGTHS = 12;
-
-/** What a reader is looking for. @returns {Field} */
-function words() {
-  return {
-    default: "",
-    parse(text) {
-      if (text.length > 100) throw new LinkError("it is too long");
-      return text;
-    },
-    print: String,
-  };
-}
 
 /** Several wavelengths; null stands for those of Shirley's figure that the material covers. @returns {Field} */
 export function wavelengths() {
@@ -47,7 +35,7 @@ export function materialFields({ materials }) {
   const categories = [...new Set(materials.map((m) => m.category))];
   return {
     preset: optional(ids),
-    find: words(),
+    find: text((given) => given.length <= 100, "it is too long", ""),
     category: choice("all", ["all", ...categories]),
     of_kind: choice("all", ["all", "spectrum", "single"]),
     list_by: choice("match", ["match", ...COLUMNS.map((c) => c.name)]),

@@ -1,5 +1,7 @@
 /** What the Materials view asks the server for. */
 
+import { path } from "../server/questions.js";
+
 /** A cell's color needs no more digits. */
 const MAP_DIGITS = 4;
 const MAP_CELLS = { theta: 91, lambda: 201 };
@@ -10,12 +12,6 @@ const INDEX_MODELS = "exact,schlick";
 
 /** What is shown until one is chosen. */
 const FIRST = "Au";
-
-/** @param {string} route @param {(string | false | null)[]} parts */
-function path(route, parts) {
-  const query = parts.filter(Boolean).join("&");
-  return query ? `${route}?${query}` : route;
-}
 
 /** @param {Catalog} catalog @param {string} id */
 export function presetOf({ materials }, id) {
@@ -63,7 +59,10 @@ function detailPath({ preset, at_nm, gamut, illuminant }) {
 
 /** @param {State} state */
 function anglesPath({ preset, nm }) {
-  return path(`/materials/${preset}/curves`, [nm && `wavelengths_nm=${nm.join(",")}`, "rgb=false"]);
+  return path(`/materials/${preset}/curves`, [
+    nm !== null && `wavelengths_nm=${nm.join(",")}`,
+    "rgb=false",
+  ]);
 }
 
 /** @param {State} state */

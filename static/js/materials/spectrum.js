@@ -13,6 +13,13 @@ const VISIBLE = [360, 830];
 const STEPS = 240;
 const RIVAL_DASHES = ["dash", "dot", "dashdot", "longdash", "longdashdot", "8px 3px 2px 3px"];
 
+/** How the measurement that is shown looks. */
+const LOOKS = {
+  n: { color: "--n", dash: "solid", width: 2.4 },
+  k: { color: "--k", dash: "dash", width: 2.4 },
+  F0: { color: "--R", dash: "solid", width: 2.6 },
+};
+
 /** What distinguishes a measurement from others of the material. @param {{id: string, name: string, rival_of: string | null} | undefined} preset */
 export function shortName(preset) {
   if (!preset) return "";
@@ -25,6 +32,12 @@ export function shownRange(spectrum, { reach }) {
   if (reach === "visible") return VISIBLE;
   const ends = [spectrum.n_range_nm, spectrum.k_range_nm].filter(Boolean);
   return [Math.min(...ends.map((r) => r[0])), Math.max(...ends.map((r) => r[1]))];
+}
+
+/** A little beyond what is known, so that one sees where that ends. @param {[number, number]} range @param {boolean} log @returns {[number, number]} */
+function widened([low, high], log) {
+  const more = log ? (high / low) ** 0.02 : 0.02 * (high - low);
+  return log ? [low / more, high * more] : [Math.max(low - more, 0), high + more];
 }
 
 /** @param {import('./panel.js').FigureContext} context */
@@ -111,61 +124,38 @@ export function createSpectrum(context) {
   function draw(state, own, measured) {
     const range = shownRange(own, state);
     const log = state.lambda_axis === "log";
-    // The axis goes on a little beyond what is known, so that one sees where that ends.
-    const more = log ? (range[1] / range[0]) ** 0.02 : 0.02 * (range[1] - range[0]);
-    const wide = /** @type {[number, number]} */ (
-      state.reach === "visible"
-        ? range
-        : log
-          ? [range[0] / more, range[1] * more]
-          : [Math.max(range[0] - more, 0), range[1] + more]
-    );
-    /** @param {any} answer @param {'n' | 'k' | 'F0'} key */
-    const series = (answer, key) => within(known(answer.wavelength_nm, answer[key] ?? []), range);
+    const wide = state.reach === "visible" ? range : widened(range, log);
     const asF0 = state.plot_of === "F0";
     const keys = /** @type {('n' | 'k' | 'F0')[]} */ (asF0 ? ["F0"] : ["n", "k"]);
-    /** @type {Record<string, Partial<Trace>>} */
-    const styles = {
-      n: { color: "--n", dash: "solid", width: 2.4 },
-      k: { color: "--k", dash: "dash", width: 2.4 },
-      F0: { color: "--R", dash: "solid", width: 2.6 },
-    };
-    const name = presetOf(catalog, state.preset);
+    /** @param {any} answer @param {'n' | 'k' | 'F0'} key */
+    const series = (answer, key) => within(known(answer.wavelength_nm, answer[key] ?? []), range);
+    /** @param {any} answer */
+    const nameOf = ({ material }) => shortName(presetOf(catalog, material.id));
     traces = keys
       .map((key) => ({
-        id: key,
-        label: asF0 ? shortName(name) : key,
+        ...{ id: key, label: asF0 ? nameOf(own) : key },
         ...series(own, key),
-        .../** @type {{color: string}} */ (styles[key]),
+        ...LOOKS[key],
       }))
       .filter((t) => t.x.length > 1);
     if (asF0)
       measured.forEach((answer, i) => {
-        const other = presetOf(catalog, answer.material.id);
         traces.push({
-          id: answer.material.id,
-          label: shortName(other),
+          ...{ id: answer.material.id, label: nameOf(answer) },
           ...series(answer, "F0"),
           color: `--model-${(i % 8) + 1}`,
           dash: RIVAL_DASHES[i % RIVAL_DASHES.length] ?? "dot",
           width: 1.3,
         });
       });
-    const bands = measured.length
-      ? keys.map((key) => ({
-          id: key,
-          ...spanned(
-            [own, ...measured].map((one) => series(one, key)),
-            range,
-            STEPS,
-            log,
-          ),
-          color: styles[key]?.color ?? "--R",
-        }))
-      : [];
+    const bands = keys.map((key) => {
+      const all = [own, ...measured].map((one) => series(one, key));
+      return { id: key, ...spanned(all, range, STEPS, log), color: LOOKS[key].color };
+    });
     const highest = Math.max(0, ...traces.flatMap((t) => t.y.map((v) => v ?? 0)));
+    const name = presetOf(catalog, state.preset)?.name;
     plot.axes({
-      name: `${asF0 ? "Reflectance at normal incidence" : "n and k"} of ${name?.name} over the wavelength`,
+      name: `${asF0 ? "Reflectance at normal incidence" : "n and k"} of ${name} over the wavelength`,
       x: {
         title: "wavelength λ (nm)",
         short: "λ",
@@ -180,44 +170,30 @@ export function createSpectrum(context) {
         range: asF0 && highest > 0.4 ? [0, 1] : null,
       },
     });
-    void plot.draw(traces, limits(own, wide), bands);
-    const names = measured.map((one) => shortName(presetOf(catalog, one.material.id)));
+    void plot.draw(traces, limits(own, wide), measured.length ? bands : []);
     const k = own.k_range_nm ? "" : " k is not given.";
     const points =
       own.native?.n.kind === "points" ? `${own.native.n.wavelength_nm.length} points` : "a formula";
+    const names = measured.map(nameOf).join(", ");
+    const span = names ? ` The bands span ${names} and this one.` : "";
     panel.filled(
-      `n is known for ${stretch(own.n_range_nm)} from ${points}.${k}${
-        names.length ? ` The bands span ${names.join(", ")} and this one.` : ""
-      } Drag to read at another wavelength.`,
+      `n is known for ${stretch(own.n_range_nm)} from ${points}.${k}${span} Drag to read at another wavelength.`,
     );
   }
 }
 
 /** Where everything that is given at all is known. @param {any} spectrum @returns {[number, number]} */
-export function bothKnown({ n_range_nm, k_range_nm }) {
-  if (!k_range_nm) return n_range_nm;
-  return [Math.max(n_range_nm[0], k_range_nm[0]), Math.min(n_range_nm[1], k_range_nm[1])];
+export function bothKnown({ n_range_nm: n, k_range_nm: k }) {
+  return k ? [Math.max(n[0], k[0]), Math.min(n[1], k[1])] : n;
 }
 
-/** Marks where the data begin and end, as far as that is on the axis. @param {any} spectrum @param {readonly [number, number]} range */
-export function limits({ n_range_nm, k_range_nm }, [low, high]) {
-  const same = !k_range_nm || (k_range_nm[0] === n_range_nm[0] && k_range_nm[1] === n_range_nm[1]);
-  const ranges = same
-    ? [{ sign: "", range: n_range_nm }]
-    : [
-        { sign: "n ", range: n_range_nm },
-        { sign: "k ", range: k_range_nm },
-      ];
-  return ranges.flatMap(({ sign, range }) =>
-    /** @type {const} */ ([
-      [0, "from"],
-      [1, "to"],
-    ])
-      .filter(([end]) => range[end] > low && range[end] < high)
-      .map(([end, word]) => ({
-        x: range[end],
-        label: `${sign}${word} ${stretch([range[end], range[end]])}`,
-        kind: /** @type {const} */ ("landmark"),
-      })),
-  );
+/** Marks where the data begin and end, as far as that is on the axis. @param {any} spectrum @param {readonly [number, number]} range @returns {Mark[]} */
+export function limits({ n_range_nm: n, k_range_nm: k }, [low, high]) {
+  const same = !k || (k[0] === n[0] && k[1] === n[1]);
+  const own = same
+    ? { from: n[0], to: n[1] }
+    : { "n from": n[0], "n to": n[1], "k from": k[0], "k to": k[1] };
+  return Object.entries(own)
+    .filter(([, x]) => x > low && x < high)
+    .map(([words, x]) => ({ x, label: `${words} ${stretch([x, x])}`, kind: "landmark" }));
 }

@@ -1,5 +1,7 @@
 /** How wavelengths are told apart: a color that suggests the light, a dash, and the number itself. */
 
+import { encoded } from "../numbers/srgb.js";
+
 /**
  * Hue and lightness by wavelength in OKLCH, for light and dark pages. Lightness falls towards the red,
  * so that those who see no hues still see an order.
@@ -19,10 +21,10 @@ const ANCHORS = [
   { nm: 1000, hue: 15, chroma: 0.02, light: 0.4, dark: 0.75 },
 ];
 
-/** @param {number} channel linear */
-function gamma(channel) {
-  const c = Math.min(Math.max(channel, 0), 1);
-  return Math.round(255 * (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055));
+/** @param {number} channel linear @returns {string} two hexadecimal digits */
+function hex(channel) {
+  const step = Math.round(255 * encoded(Math.min(Math.max(channel, 0), 1)));
+  return step.toString(16).padStart(2, "0");
 }
 
 /** @param {number} lightness @param {number} chroma @param {number} hue degrees @returns {string} #rrggbb */
@@ -37,7 +39,7 @@ export function oklch(lightness, chroma, hue) {
     -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
     -0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s,
   ];
-  return `#${rgb.map((c) => gamma(c).toString(16).padStart(2, "0")).join("")}`;
+  return `#${rgb.map(hex).join("")}`;
 }
 
 /**

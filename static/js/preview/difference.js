@@ -1,15 +1,14 @@
 /** How far two pictures are apart, in steps of 8 bits and as eyes see it. */
 
+import { decoded } from "../numbers/srgb.js";
+
 const DEG = Math.PI / 180;
 const TWENTY_FIVE_7 = 25 ** 7;
 /** sRGB's white, D65. */
 const WHITE = /** @type {const} */ ([0.95047, 1, 1.08883]);
 
 /** Linear shares of the 256 steps of sRGB. */
-const LINEAR = Float64Array.from({ length: 256 }, (_, i) => {
-  const c = i / 255;
-  return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
-});
+const LINEAR = Float64Array.from({ length: 256 }, (_, i) => decoded(i / 255));
 
 /** @param {number} t */
 const root = (t) => (t > 216 / 24389 ? Math.cbrt(t) : ((24389 / 27) * t + 16) / 116);

@@ -1,6 +1,7 @@
 /** What the Preview view asks the server for. */
 
 import { isDispersive } from "../media/constants.js";
+import { decoded } from "../numbers/srgb.js";
 import { mediaQuery, parameterQuery, path, stateName } from "../server/questions.js";
 import { codeOf, lutPath, snippetPath } from "../takeaway/fields.js";
 import { isEven, isPaint, NONE, withCode } from "./fields.js";
@@ -102,10 +103,8 @@ export function sidePaths(state, catalog, side) {
 
 /** Linear shares of a color as style sheets write it. @param {string} color @returns {number[]} */
 export function linear(color) {
-  return [1, 3, 5].map((at) => {
-    const c = Number.parseInt(color.slice(at, at + 2), 16) / 255;
-    return Number((c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4).toPrecision(6));
-  });
+  const steps = [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16));
+  return steps.map((step) => Number(decoded(step / 255).toPrecision(6)));
 }
 
 /** What paint there is under the coat. @param {State} state @param {Catalog} catalog @returns {Record<string, string>} */

@@ -77,6 +77,24 @@ export function whole(field) {
   };
 }
 
+/**
+ * What a reader wrote, or an id that the server judges.
+ * @param {(given: string) => boolean} allowed
+ * @param {string} message
+ * @param {string | null} [preset]
+ * @returns {Field}
+ */
+export function text(allowed, message, preset = null) {
+  return {
+    default: preset,
+    parse(given) {
+      if (!allowed(given)) throw new LinkError(message);
+      return given;
+    },
+    print: (value) => value ?? "",
+  };
+}
+
 /** One of some ids or none. @param {string[]} options @returns {Field} */
 export function optional(options) {
   return {

@@ -1,7 +1,7 @@
 /** The state that the Theory view adds to the one all views share. */
 
 import { coatFields } from "../coat/fields.js";
-import { choice, LinkError, number } from "../state/state.js";
+import { choice, number, text } from "../state/state.js";
 import { decode } from "./mystery-code.js";
 import { STEPS } from "./steps.js";
 import { TRAPS } from "./trap-cards.js";
@@ -23,18 +23,6 @@ export const SECTIONS = [
 export const TOUCHED = ["own_i", "own_n", "own_k", "own_deg", "own_pol", "own_of"];
 /** Nothing is moved. @type {State} */
 export const UNTOUCHED = Object.freeze(Object.fromEntries(TOUCHED.map((key) => [key, null])));
-
-/** @param {(text: string) => boolean} allowed @param {string} message @returns {Field} */
-function text(allowed, message) {
-  return {
-    default: null,
-    parse(given) {
-      if (!allowed(given)) throw new LinkError(message);
-      return given;
-    },
-    print: (value) => value ?? "",
-  };
-}
 
 /** @param {string[]} options */
 const oneOf = (options) =>
