@@ -11,7 +11,6 @@ from app import __version__
 from app.api import (
     PREFIX,
     albedo,
-    albedo_grids,
     claims,
     convert,
     curves,
@@ -124,7 +123,6 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         recommend.router(registry),
         convert.router(),
         albedo.router(registry),
-        albedo_grids.router(registry),
         materials.router(registry),
         shaders.router(registry),
         lut.router(registry),

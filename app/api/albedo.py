@@ -1,63 +1,58 @@
-"""`/albedo`, `/albedo/fits` and `/albedo/coat`: albedos of one interface."""
+"""`/albedo`, its fits, sweep and map, and `/albedo/coat`: what a surface reflects of diffuse light."""
 
-# No `from __future__ import annotations` here: the query's type is made from the registry at run
-# time, and FastAPI could not look up its name.
+from __future__ import annotations
 
-from typing import Annotated, Any
+from collections import Counter
+from typing import Annotated, ClassVar
 
-import numpy as np
 from fastapi import APIRouter, Query
 from pydantic import Field
-from starlette.responses import Response
 
-from app.api.albedo_schemas import AlbedoOut, CoatOut, FitOut, FitsOut
-from app.api.answers import Answer, Large
-from app.api.model_parameters import (
-    model_arguments,
-    parse_models,
-    refuse_foreign_parameters,
-    with_model_parameters,
-)
+from app.answers.albedo import Albedos, Coat, RegisteredFit, RegisteredFits
+from app.answers.albedo import albedos as evaluated
+from app.answers.albedo import coat as split
+from app.answers.albedo_grids import AlbedoMap, AlbedoSweep, Shown, albedo_map, albedo_sweep
+from app.answers.axes import MOST_CELLS, MOST_STEPS, Scale, SweptName, refuse_many_cells
+from app.answers.curves import Chosen
+from app.api.axes import swept
+from app.api.model_parameters import ModelsQuery, refuse_foreign_parameters, with_parameters_of
 from app.api.params import InterfaceQuery, number
-from app.api.responses import (
-    CONVENTION,
-    csv_body,
-    interface_json,
-    json_body,
-    number_or_null,
-)
 from app.http.problems import MissingResource
-from app.http.query import Number, TableQuery
+from app.http.query import Count, LongQuery, Number, TableQuery
 from app.http.route import QueryRoute
-from app.optics.albedo import (
-    BODY_ALBEDO,
-    FITS,
-    Albedo,
-    Claim,
-    Domain,
-    Fit,
-    UnknownFit,
-    albedo,
-    coat_split,
-    find_fit,
-    flatland_albedo,
-    method,
-    model_albedo,
-)
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import THETA_I_DEG, Array
-from app.optics.registry import Model, Registry
+from app.optics.albedo import BODY_ALBEDO, FITS, Fit, Quantity, UnknownFit, find_fit
+from app.optics.errors import NotAllowed
+from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG
+from app.optics.registry import Registry
+
+# More dielectrics than this take longer than handing them to a thread.
+_INLINE_STEPS = 1000
 
 
-class AlbedoQuery(TableQuery, InterfaceQuery):
-    """Albedo of one interface."""
+class AveragedQuery(ModelsQuery):
+    """Which models are averaged; none unless asked for."""
 
     models: str = Field(
         "",
         description="Comma-separated ids of models whose curves are to be averaged too.",
         examples=["schlick"],
     )
+
+    def chosen(self) -> list[Chosen]:
+        """Look up the models, if any."""
+        if self.models:
+            return super().chosen()
+        refuse_foreign_parameters(self, [], self.registry)
+        return []
+
+
+class AlbedoQuery(AveragedQuery, TableQuery, InterfaceQuery):
+    """Albedo of one interface."""
+
+    @property
+    def takes_long(self) -> bool:
+        """Whether models are averaged."""
+        return bool(self.models)
 
 
 class CoatQuery(TableQuery, InterfaceQuery):
@@ -73,181 +68,124 @@ class CoatQuery(TableQuery, InterfaceQuery):
     )
 
 
-def domain_json(domain: Domain) -> dict[str, Any]:
-    """Describe a box of interfaces."""
-    return {"kind": domain.kind, "eta": domain.eta, "kappa": domain.kappa}
+class FitsSweepQuery(TableQuery, InterfaceQuery):
+    """A line of interfaces, and fits."""
+
+    over: SweptName = Field("n_t", description="What is swept; eta = n_t / n_i.")
+    minimum: Number = Field(1.0, ge=0.0, allow_inf_nan=False, description="First value.")
+    maximum: Number = Field(3.0, ge=0.0, allow_inf_nan=False, description="Last value.")
+    steps: Count = Field(201, ge=2, le=MOST_STEPS, description="Number of values.")
+    scale: Scale = Field("linear", description="Equal differences or equal ratios.")
+    fits: str = Field(
+        "",
+        description="Comma-separated ids of fits, as listed at /albedo/fits.",
+        examples=["deon_2019_log,kulla_conty_2017"],
+    )
 
 
-def _claim_json(claim: Claim) -> dict[str, Any]:
-    return {
-        "domain": domain_json(claim.domain),
-        "claimed": claim.claimed,
-        "relative": claim.relative,
-        "source": claim.source,
-        "measured": claim.measured,
-        "at": {"eta": claim.at[0], "kappa": claim.at[1]},
-        "measured_over": domain_json(claim.measured_over),
-        "holds": claim.holds,
-    }
+class AlbedoSweepQuery(AveragedQuery, FitsSweepQuery):
+    """Albedos along a line of interfaces."""
+
+    flatland: bool = Field(False, description="Add the albedo in two dimensions.")
+
+    @property
+    def takes_long(self) -> bool:
+        """Whether there is more than closed forms for not too many dielectrics."""
+        absorbing = self.over == "k_t" or self.k_t > 0.0
+        return absorbing or self.flatland or bool(self.models) or self.steps > _INLINE_STEPS
 
 
-def describe(fit: Fit) -> dict[str, Any]:
-    """Turn a fit into what the API says of it."""
-    return {
-        "id": fit.id,
-        "title": fit.title,
-        "quantity": fit.quantity,
-        "domains": [domain_json(domain) for domain in fit.domains],
-        "latex": fit.latex,
-        "reference": fit.reference,
-        "note": fit.note,
-        "claims": [_claim_json(claim) for claim in fit.claims],
-    }
+class AlbedoMapQuery(TableQuery, LongQuery):
+    """Albedos, or a fit's errors, over a rectangle of n_t and k_t."""
+
+    cells: ClassVar[tuple[str, ...]] = ("n_steps", "k_steps")
+
+    n_i: Number = number(N_I)
+    n_minimum: Number = Field(
+        0.1, ge=N_T.minimum, le=N_T.maximum, allow_inf_nan=False, description="Smallest n_t."
+    )
+    n_maximum: Number = Field(
+        4.0, ge=N_T.minimum, le=N_T.maximum, allow_inf_nan=False, description="Largest n_t."
+    )
+    n_steps: Count = Field(60, ge=2, le=MOST_CELLS // 2, description="Number of n_t.")
+    k_minimum: Number = Field(
+        0.0, ge=K_T.minimum, le=K_T.maximum, allow_inf_nan=False, description="Smallest k_t."
+    )
+    k_maximum: Number = Field(
+        8.0, ge=K_T.minimum, le=K_T.maximum, allow_inf_nan=False, description="Largest k_t."
+    )
+    k_steps: Count = Field(60, ge=2, le=MOST_CELLS // 2, description="Number of k_t.")
+    fit: str | None = Field(None, description="Id of a fit.", examples=["deon_2019_rg"])
+    show: Shown | None = Field(
+        None, description="The exact albedo, the fit's, or their difference (the default of a fit)."
+    )
+    quantity: Quantity | None = Field(
+        None, description="Polarization of the exact albedo; a fit has its own."
+    )
 
 
-def _exact_json(interface: Interface, exact: Albedo) -> dict[str, Any]:
-    return {
-        "unpolarized": float(exact.unpolarized),
-        "s": float(exact.s),
-        "p": float(exact.p),
-        "method": method(interface),
-    }
+def parse_fits(text: str) -> list[Fit]:
+    """Look up comma-separated ids of fits.
 
-
-def _approximations(interface: Interface, exact: Albedo) -> list[dict[str, Any]]:
-    answers = []
-    for fit in FITS.values():
-        value, reason = fit(interface), fit.reason_outside(interface)
-        answers.append(
-            {
-                "id": fit.id,
-                "title": fit.title,
-                "quantity": fit.quantity,
-                "value": number_or_null(value),
-                "error": number_or_null(value - getattr(exact, fit.quantity)),
-                "in_domain": reason is None,
-                "reason": reason,
-                "reference": fit.reference,
-            }
-        )
-    return answers
-
-
-def _numbers(values: Array) -> Any:
-    """One number or, of a triple, three."""
-    return number_or_null(values) if values.ndim == 0 else values.ravel()
+    Raises
+    ------
+    UnknownFit
+        If an id is no fit's, naming the nearest.
+    NotAllowed
+        If an id is given twice.
+    """
+    ids = [part.strip() for part in text.split(",")] if text else []
+    fits = [find_fit(fit_id) for fit_id in ids]
+    repeated = [fit_id for fit_id, count in Counter(ids).items() if count > 1]
+    if repeated:
+        raise NotAllowed("fits", text, f"each fit once; {repeated[0]} is there twice")
+    return fits
 
 
 def router(registry: Registry) -> APIRouter:
     """Routes over the fits, and over the models of `registry`."""
     routes = APIRouter(route_class=QueryRoute, tags=["albedo"])
-    Query_ = with_model_parameters(AlbedoQuery, registry)
 
-    def model_values(
-        query: AlbedoQuery, models: list[Model], interface: Interface, exact: Albedo
-    ) -> list[dict[str, Any]]:
-        answers = []
-        for model in models:
-            values = model_albedo(model, interface, **model_arguments(query, model))
-            reason = model.reason_outside(interface)
-            answers.append(
-                {
-                    "model": model.id,
-                    "value": _numbers(values),
-                    "error": _numbers(np.asarray(values - exact.unpolarized)),
-                    "in_domain": reason is None,
-                    "reason": reason,
-                }
-            )
-        return answers
+    @routes.get("/albedo", summary="Albedo of one interface")
+    @with_parameters_of(registry)
+    def albedos(query: Annotated[AlbedoQuery, Query()]) -> Albedos:
+        return evaluated(query.interface(), query.chosen())
 
-    def respond(query: AlbedoQuery, models: list[Model]) -> Response:
-        interface = query.interface()
-        exact = albedo(interface)
-        payload: dict[str, Any] = {
-            "interface": interface_json(interface),
-            "convention": CONVENTION,
-            "exact": _exact_json(interface, exact),
-            "flatland": float(flatland_albedo(interface)),
-            "approximations": _approximations(interface, exact),
-            "models": model_values(query, models, interface, exact),
-            "reverse": None,
-        }
-        if not interface.is_conductor:
-            reverse = Interface(interface.n_t, interface.n_i)
-            exact_reverse = albedo(reverse)
-            payload["reverse"] = {
-                "exact": _exact_json(reverse, exact_reverse),
-                "approximations": _approximations(reverse, exact_reverse),
-            }
-        if query.format == "csv":
-            return csv_body(_columns(payload), query.digits, "albedo.csv")
-        return json_body(payload, query.digits)
+    @routes.get("/albedo/fits", summary="All fits of the albedo")
+    def fits() -> RegisteredFits:
+        return RegisteredFits(fits=[RegisteredFit.of(fit) for fit in FITS.values()])
 
-    @routes.get("/albedo", response_model=AlbedoOut, summary="Albedo of one interface")
-    def albedos(query: Annotated[Query_, Query()]) -> Answer:  # type: ignore[valid-type]
-        return answer(query)
-
-    def answer(query: AlbedoQuery) -> Answer:
-        models = parse_models(query.models, registry) if query.models else []
-        refuse_foreign_parameters(query, models, registry)
-        if models:
-            return Large(respond, query, models)
-        return respond(query, models)
-
-    @routes.get("/albedo/fits", response_model=FitsOut, summary="All fits of the albedo")
-    def fits() -> Answer:
-        return json_body({"fits": [describe(fit) for fit in FITS.values()]})
-
-    @routes.get("/albedo/fits/{fit_id}", response_model=FitOut, summary="One fit of the albedo")
-    def one_fit(fit_id: str) -> Answer:
+    @routes.get("/albedo/fits/{fit_id}", summary="One fit of the albedo")
+    def one_fit(fit_id: str) -> RegisteredFit:
         try:
-            found = find_fit(fit_id, "fit_id")
+            return RegisteredFit.of(find_fit(fit_id, "fit_id"))
         except UnknownFit as error:
             raise MissingResource(error) from None
-        return json_body(describe(found))
 
-    @routes.get("/albedo/coat", response_model=CoatOut, summary="A diffuse body under a coat")
-    def coat(query: Annotated[CoatQuery, Query()]) -> Answer:
-        return _coat(query)
+    @routes.get("/albedo/coat", summary="A diffuse body under a coat")
+    def coat(query: Annotated[CoatQuery, Query()]) -> Coat:
+        return split(query.interface(), query.body_albedo, query.theta_i_deg)
+
+    @routes.get("/albedo/sweep", summary="Albedos along n_t, k_t or eta")
+    @with_parameters_of(registry)
+    def sweep(query: Annotated[AlbedoSweepQuery, Query()]) -> AlbedoSweep:
+        models, fits = query.chosen(), parse_fits(query.fits)
+        axis = swept(query, query.over, "", query.steps, query.scale)
+        return albedo_sweep(
+            query.interface(), axis, fits=fits, models=models, flatland=query.flatland
+        )
+
+    @routes.get("/albedo/map", summary="Albedos over n_t and k_t")
+    def rectangle(query: Annotated[AlbedoMapQuery, Query()]) -> AlbedoMap:
+        fit = None if query.fit is None else find_fit(query.fit, "fit")
+        refuse_many_cells("n_steps", n_steps=query.n_steps, k_steps=query.k_steps)
+        return albedo_map(
+            query.n_i,
+            (query.n_minimum, query.n_maximum, query.n_steps),
+            (query.k_minimum, query.k_maximum, query.k_steps),
+            fit=fit,
+            show=query.show,
+            quantity=query.quantity,
+        )
 
     return routes
-
-
-def _coat(query: CoatQuery) -> Response:
-    interface = query.interface()
-    ray = None if query.theta_i_deg is None else Incidence.from_degrees(query.theta_i_deg)
-    split = coat_split(interface, query.body_albedo, ray)
-    parts = {
-        name: float(getattr(split, name))
-        for name in ("external", "internal", "surface", "body", "absorbed")
-    }
-    if query.format == "csv":
-        columns = {name: np.array([value]) for name, value in parts.items()}
-        return csv_body(columns, query.digits, "coat.csv")
-    payload = {
-        "interface": interface_json(interface),
-        "convention": CONVENTION,
-        "body_albedo": query.body_albedo,
-        "theta_i_deg": query.theta_i_deg,
-        **parts,
-    }
-    return json_body(payload, query.digits)
-
-
-def _columns(payload: dict[str, Any]) -> dict[str, Array]:
-    """Lay the numbers of an `/albedo` answer out as one row."""
-    row: dict[str, Any] = {
-        **{name: payload["interface"][name] for name in ("n_i", "n_t", "k_t")},
-        **{f"exact.{name}": payload["exact"][name] for name in ("unpolarized", "s", "p")},
-        "flatland": payload["flatland"],
-    }
-    for entry in payload["approximations"]:
-        row |= {f"{entry['id']}.{name}": entry[name] for name in ("value", "error")}
-    for entry in payload["models"]:
-        for name in ("value", "error"):
-            numbers = np.atleast_1d(np.array(entry[name], dtype=np.float64))
-            colors = ("",) if numbers.size == 1 else ("_red", "_green", "_blue")
-            pairs = zip(colors, numbers, strict=True)
-            row |= {f"model.{entry['model']}.{name}{color}": value for color, value in pairs}
-    return {name: np.array([value], dtype=np.float64) for name, value in row.items()}

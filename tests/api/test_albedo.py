@@ -13,9 +13,11 @@ import httpx
 import numpy as np
 import pytest
 
-from app.api.albedo_schemas import AlbedoMapOut, AlbedoOut, CoatOut, FitOut, FitsOut, SweepOut
+from app.answers.albedo import Albedos, Coat, RegisteredFit, RegisteredFits
+from app.answers.albedo_grids import AlbedoMap, AlbedoSweep
 from app.optics.albedo import FITS, albedo, coat_split, flatland_albedo
 from app.optics.interface import Interface
+from tests.api.shapes import json_of
 
 GOLDEN = json.loads(
     (Path(__file__).parents[1] / "optics" / "reference" / "albedo.json").read_text("utf-8")
@@ -31,8 +33,7 @@ def rows(answer: httpx.Response) -> list[dict[str, str]]:
 
 @pytest.mark.parametrize("row", GOLDEN["dielectric"] + GOLDEN["conductor"], ids=str)
 def test_exact_albedo(ask: Ask, row: dict[str, float]) -> None:
-    answer = ask("/albedo", n_t=row["n"], k_t=row.get("k", 0.0)).json()
-    AlbedoOut.model_validate(answer)
+    answer = json_of(Albedos, ask("/albedo", n_t=row["n"], k_t=row.get("k", 0.0)))
     for name in ("unpolarized", "s", "p"):
         assert answer["exact"][name] == pytest.approx(row[name], rel=1e-12)
 
@@ -97,11 +98,9 @@ def test_one_interface_as_csv(ask: Ask) -> None:
 
 
 def test_catalog_of_fits(ask: Ask) -> None:
-    answer = ask("/albedo/fits").json()
-    FitsOut.model_validate(answer)
+    answer = json_of(RegisteredFits, ask("/albedo/fits"))
     assert [entry["id"] for entry in answer["fits"]] == list(FITS)
-    second = ask("/albedo/fits/deon_2019_rg").json()
-    FitOut.model_validate(second)
+    second = json_of(RegisteredFit, ask("/albedo/fits/deon_2019_rg"))
     assert second in answer["fits"]
     (claim,) = second["claims"]
     assert (claim["claimed"], claim["measured"], claim["holds"]) == (6e-5, 1.65e-4, False)
@@ -112,10 +111,12 @@ def test_catalog_of_fits(ask: Ask) -> None:
 
 
 def test_sweep_over_n_t(ask: Ask) -> None:
-    answer = ask(
-        "/albedo/sweep", minimum=1, maximum=4, steps=301, fits="deon_2019_log", flatland="true"
-    ).json()
-    SweepOut.model_validate(answer)
+    answer = json_of(
+        AlbedoSweep,
+        ask(
+            "/albedo/sweep", minimum=1, maximum=4, steps=301, fits="deon_2019_log", flatland="true"
+        ),
+    )
     n = np.linspace(1.0, 4.0, 301)
     assert answer["values"] == n.tolist()
     assert answer["n_t"] is None
@@ -194,16 +195,18 @@ def test_sweep_as_csv(ask: Ask) -> None:
 
 
 def test_map_of_a_fits_error(ask: Ask) -> None:
-    answer = ask(
-        "/albedo/map",
-        fit="deon_2019_rg",
-        n_i=1.33,
-        n_minimum=0.5,
-        n_steps=5,
-        k_minimum=3,
-        k_steps=4,
-    ).json()
-    AlbedoMapOut.model_validate(answer)
+    answer = json_of(
+        AlbedoMap,
+        ask(
+            "/albedo/map",
+            fit="deon_2019_rg",
+            n_i=1.33,
+            n_minimum=0.5,
+            n_steps=5,
+            k_minimum=3,
+            k_steps=4,
+        ),
+    )
     values, fit = np.array(answer["values"]), FITS["deon_2019_rg"]
     assert values.shape == (4, 5)
     assert answer["show"] == "error"
@@ -234,8 +237,7 @@ def test_map_shows_what_is_asked(ask: Ask) -> None:
 
 
 def test_map_holds_null_where_a_fit_is_undefined(ask: Ask) -> None:
-    answer = ask("/albedo/map", fit="large_k", n_steps=3, k_steps=3).json()
-    AlbedoMapOut.model_validate(answer)
+    answer = json_of(AlbedoMap, ask("/albedo/map", fit="large_k", n_steps=3, k_steps=3))
     assert answer["values"][0] == [None] * 3  # k = 0
     assert answer["largest"]["k_t"] == 4.0
     assert answer["largest_in_domain"] is None
@@ -247,8 +249,7 @@ def test_map_holds_null_where_a_fit_is_undefined(ask: Ask) -> None:
 
 
 def test_coat(ask: Ask) -> None:
-    answer = ask("/albedo/coat", n_t=1.5, body_albedo=0.8).json()
-    CoatOut.model_validate(answer)
+    answer = json_of(Coat, ask("/albedo/coat", n_t=1.5, body_albedo=0.8))
     split = coat_split(Interface(n_t=1.5), 0.8)
     for name in ("external", "internal", "surface", "body", "absorbed"):
         assert answer[name] == float(getattr(split, name))

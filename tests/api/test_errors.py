@@ -16,7 +16,7 @@ from app.answers.errors import Errors
 from app.optics.interface import Interface
 from app.optics.metrics import METRICS, measure
 from app.optics.registry import default_registry
-from tests.api.shapes import read_as
+from tests.api.shapes import json_of
 
 Ask = Callable[..., httpx.Response]
 REGISTRY = default_registry()
@@ -42,8 +42,7 @@ def problem(answer: httpx.Response) -> dict[str, str]:
 def test_errors_of_every_model(ask: Ask) -> None:
     interface = Interface(1.0, 1.5, 5.0)
     answer = ask("/errors", models=",".join(REGISTRY), n_t=1.5, k_t=5.0, samples=7)
-    body = answer.json()
-    read_as(Errors, answer)
+    body = json_of(Errors, answer)
     assert answer.headers["etag"]
     assert body["theta_i_deg"] == [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0]
     assert {row["model"] for row in body["errors"]} == set(REGISTRY)
@@ -61,9 +60,7 @@ def test_errors_of_every_model(ask: Ask) -> None:
 
 def test_the_error_curve_is_the_difference_of_the_curves(ask: Ask) -> None:
     shared = {"n_t": 2.9, "k_t": 3.0, "samples": 31, "landmarks": "true"}
-    asked = ask("/errors", **shared, models="schlick", relative="true")
-    read_as(Errors, asked)
-    body = asked.json()
+    body = json_of(Errors, ask("/errors", **shared, models="schlick", relative="true"))
     answer = ask("/curves", **shared, models="exact,schlick").json()
     values = {(c["model"], c["quantity"]): np.array(c["values"]) for c in answer["curves"]}
     exact, schlick = values["exact", "R"], values["schlick", "R"]
@@ -86,8 +83,7 @@ def test_solved_and_given_parameters_are_told(ask: Ask) -> None:
 def test_a_triple_has_three_rows(ask: Ask) -> None:
     asked = {"models": "hoffman_f82", "n_t": 0.27, "k_t": 2.9, "samples": 5}
     answer = ask("/errors", **asked, **{"hoffman_f82.F0": "1.0,0.8,0.4"})
-    assert len(read_as(Errors, answer).errors) == 3
-    rows = {row["quantity"]: row for row in answer.json()["errors"]}
+    rows = {row["quantity"]: row for row in json_of(Errors, answer)["errors"]}
     assert set(rows) == {"R_red", "R_green", "R_blue"}
     for quantity, F0 in (("R_red", 1.0), ("R_green", 0.8), ("R_blue", 0.4)):
         (alone,) = ask("/errors", **asked, **{"hoffman_f82.F0": F0}).json()["errors"]
@@ -148,9 +144,10 @@ def test_schlicks_largest_errors_to_the_printed_digits(ask: Ask) -> None:
     """The table of formulas.md, read off one sweep in steps of 0.01."""
     printed = {1.1: 0.2105, 1.2: 0.1130, 1.33: 0.0599, 1.5: 0.0357, 1.8: 0.0345}
     printed |= {2.2: 0.0582, 2.42: 0.0757, 3.0: 0.1250, 4.0: 0.2009}
-    answer = ask("/errors/sweep", model="schlick", over="n_t", minimum=1.1, maximum=4, steps=291)
-    read_as(ErrorSweep, answer)
-    body = answer.json()
+    body = json_of(
+        ErrorSweep,
+        ask("/errors/sweep", model="schlick", over="n_t", minimum=1.1, maximum=4, steps=291),
+    )
     found = {round(n, 2): value for n, value in zip(body["values"], body["max_abs"], strict=True)}
     assert {n: round(found[n], 4) for n in printed} == printed
     positive = dict(zip(body["values"], body["error_at_max"], strict=True))
@@ -219,9 +216,7 @@ def test_refused_sweeps(ask: Ask, parameters: dict[str, Any], name: str) -> None
 @pytest.mark.parametrize("metric", ["error", "absolute", "relative"])
 def test_a_map_over_the_angle(ask: Ask, metric: str) -> None:
     asked = {"x_steps": 4, "y": "n_t", "y_minimum": 1.2, "y_maximum": 2.2, "y_steps": 3}
-    answer = ask("/errors/map", **asked, metric=metric)
-    read_as(ErrorMap, answer)
-    body = answer.json()
+    body = json_of(ErrorMap, ask("/errors/map", **asked, metric=metric))
     assert body["x"] == {"name": "theta_i_deg", "values": [0.0, 30.0, 60.0, 90.0]}
     assert len(body["values"]) == 3
     for n_t, cells in zip(body["y"]["values"], body["values"], strict=True):
@@ -237,9 +232,7 @@ def test_a_map_over_the_angle(ask: Ask, metric: str) -> None:
 @pytest.mark.parametrize("metric", [*METRICS, "albedo_error"])
 def test_a_map_over_index_and_extinction(ask: Ask, metric: str) -> None:
     asked = {"x": "n_t", "y": "k_t", "x_steps": 5, "y_steps": 4, "x_minimum": 1.1, "y_minimum": 0.5}
-    answer = ask("/errors/map", **asked, metric=metric, model="pharr_humphreys")
-    read_as(ErrorMap, answer)
-    body = answer.json()
+    body = json_of(ErrorMap, ask("/errors/map", **asked, metric=metric, model="pharr_humphreys"))
     n, k = np.meshgrid(body["x"]["values"], body["y"]["values"])
     name = "cosine_weighted_mean" if metric == "albedo_error" else metric
     expected = measure(REGISTRY["pharr_humphreys"], Interface(1.0, n, k))[name]  # type: ignore[index]

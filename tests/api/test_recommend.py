@@ -14,7 +14,7 @@ import pytest
 from app.answers.recommendation import Recommendation
 from app.optics.recommendation import BUDGET_METRICS
 from app.optics.registry import default_registry
-from tests.api.shapes import read_as
+from tests.api.shapes import json_of
 
 Ask = Callable[..., httpx.Response]
 REGISTRY = default_registry()
@@ -43,9 +43,7 @@ def recomputed(ask: Ask, media: dict[str, float]) -> dict[str, float]:
 def test_the_answers_hold_by_the_curves_alone(ask: Ask, media: dict[str, float]) -> None:
     largest = recomputed(ask, media)
     for budget in (0.05, 0.02, 0.005):
-        answer = ask("/recommend", **media, max_error=budget)
-        read_as(Recommendation, answer)
-        body = answer.json()
+        body = json_of(Recommendation, ask("/recommend", **media, max_error=budget))
         accepted = [candidate["model"] for candidate in body["models"]]
         assert accepted
         assert all(largest[model] <= budget for model in accepted)
@@ -61,9 +59,7 @@ def test_the_answers_hold_by_the_curves_alone(ask: Ask, media: dict[str, float])
 
 @pytest.mark.parametrize("metric", [*BUDGET_METRICS, "albedo_error"])
 def test_cheapest_first_and_every_refusal_explained(ask: Ask, metric: str) -> None:
-    answer = ask("/recommend", **GOLD, max_error=0.01, metric=metric)
-    read_as(Recommendation, answer)
-    body = answer.json()
+    body = json_of(Recommendation, ask("/recommend", **GOLD, max_error=0.01, metric=metric))
     costs = [candidate["weighted_cost"] for candidate in body["models"]]
     assert costs == sorted(costs)
     for candidate in (*body["models"], *body["refused"]):

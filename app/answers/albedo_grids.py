@@ -1,0 +1,259 @@
+"""Albedos along a line and over a rectangle of interfaces."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from functools import lru_cache
+from typing import Literal
+
+import numpy as np
+
+from app.answers.albedo import CHANNELS
+from app.answers.answer import Gaps, Rows, Table, Values, answer
+from app.answers.axes import Axis, Grid, held
+from app.answers.curves import Chosen
+from app.answers.interface import CONVENTION, PresetInterface, ResolvedPreset
+from app.optics.albedo import Albedo, Fit, Quantity, albedo, flatland_albedo, model_albedo
+from app.optics.errors import NotAllowed
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+
+Shown = Literal["exact", "value", "error"]
+Ends = tuple[float, float, int]
+"""First and last value, and how many."""
+
+
+@answer
+class AlbedoCurve:
+    """One albedo along a sweep."""
+
+    kind: Literal["exact", "fit", "model"]
+    id: str
+    quantity: str
+    values: Gaps
+    error: Gaps | None = None
+    """values - exact; null for the exact ones."""
+    in_domain: tuple[float, float] | None = None
+    """Part of the sweep within the fit's domain, null if none; of models null."""
+
+    @property
+    def column(self) -> str:
+        """Header in CSV."""
+        prefix = "model." if self.kind == "model" else ""
+        return f"{prefix}{self.id}.{self.quantity}"
+
+
+@answer
+class AlbedoSweep:
+    """Albedos along a sweep."""
+
+    convention: str
+    n_i: float
+    incident: ResolvedPreset | None
+    """The preset that n_i comes from."""
+    n_t: float | None
+    """Null where it is swept."""
+    k_t: float | None
+    """Null where it is swept."""
+    over: str
+    values: Values
+    curves: list[AlbedoCurve]
+
+    def table(self) -> Table:
+        """Lay out a row each interface."""
+        columns: dict[str, Array] = {self.over: self.values}
+        for curve in self.curves:
+            columns[curve.column] = curve.values
+            if curve.error is not None:
+                columns[f"{curve.column}.error"] = curve.error
+        return Table(columns, "albedo_sweep.csv")
+
+
+@answer
+class Largest:
+    """Where a map's modulus is largest."""
+
+    value: float
+    n_t: float
+    k_t: float
+
+
+@answer
+class Box:
+    """A domain in a map's own coordinates."""
+
+    n_t: tuple[float, float]
+    k_t: tuple[float, float]
+
+
+@answer
+class AlbedoMap:
+    """A grid of albedos or of a fit's errors over n_t and k_t."""
+
+    convention: str
+    n_i: float
+    n_t: Values
+    k_t: Values
+    fit: str | None
+    quantity: Quantity
+    show: Shown
+    values: Rows
+    """A row for each k_t."""
+    largest: Largest | None
+    """Over the whole map."""
+    largest_in_domain: Largest | None
+    """Within the fit's domains."""
+    domains: list[Box]
+    """The fit's domains, to be outlined."""
+
+    def table(self) -> Table:
+        """Lay out a row each point."""
+        n_t, k_t = (values.ravel() for values in np.meshgrid(self.n_t, self.k_t))
+        return Table({"n_t": n_t, "k_t": k_t, self.show: self.values.ravel()}, "albedo_map.csv")
+
+
+def albedo_sweep(
+    fixed: Interface,
+    axis: Axis,
+    *,
+    fits: Iterable[Fit] = (),
+    models: Iterable[Chosen] = (),
+    flatland: bool = False,
+) -> AlbedoSweep:
+    """Evaluate albedos along an axis: exact, by fits, of models, and in two dimensions if asked."""
+    interface = Grid(fixed, axis).interface
+    exact = albedo(interface)
+    curves = [
+        AlbedoCurve(kind="exact", id="exact", quantity=name, values=getattr(exact, name))
+        for name in ("unpolarized", "s", "p")
+    ]
+    if flatland:
+        flat = flatland_albedo(interface)
+        curves.append(AlbedoCurve(kind="exact", id="flatland", quantity="unpolarized", values=flat))
+    curves += [_fitted(fit, interface, exact, axis.values) for fit in fits]
+    curves += [curve for chosen in models for curve in _averaged(chosen, interface, exact)]
+    _, n_t, k_t = held(fixed, axis.name)
+    named = fixed.incident if isinstance(fixed, PresetInterface) else None
+    return AlbedoSweep(
+        convention=CONVENTION,
+        n_i=float(fixed.n_i),
+        incident=ResolvedPreset.of(named),
+        n_t=n_t,
+        k_t=k_t,
+        over=axis.name,
+        values=axis.values,
+        curves=curves,
+    )
+
+
+def _fitted(fit: Fit, interface: Interface, exact: Albedo, swept: Array) -> AlbedoCurve:
+    values = np.ascontiguousarray(fit(interface))
+    inside = swept[fit.contains(interface)]
+    return AlbedoCurve(
+        kind="fit",
+        id=fit.id,
+        quantity=fit.quantity,
+        values=values,
+        error=np.asarray(values - getattr(exact, fit.quantity)),
+        in_domain=(float(inside[0]), float(inside[-1])) if inside.size else None,
+    )
+
+
+def _averaged(chosen: Chosen, interface: Interface, exact: Albedo) -> Iterator[AlbedoCurve]:
+    averages = model_albedo(chosen.model, interface, **chosen.given)
+    colors = ("",) if averages.ndim == 1 else CHANNELS
+    for color, row in zip(colors, np.atleast_2d(averages), strict=True):
+        yield AlbedoCurve(
+            kind="model",
+            id=chosen.model.id,
+            quantity=f"unpolarized{color}",
+            values=np.ascontiguousarray(row),
+            error=np.asarray(row - exact.unpolarized),
+        )
+
+
+def albedo_map(
+    n_i: float,
+    n: Ends,
+    k: Ends,
+    *,
+    fit: Fit | None = None,
+    show: Shown | None = None,
+    quantity: Quantity | None = None,
+) -> AlbedoMap:
+    """Evaluate albedos, or a fit's errors, over a rectangle.
+
+    Parameters
+    ----------
+    n_i
+        Index of the incident medium.
+    n, k
+        Ends and numbers of n_t and of k_t.
+    fit
+        What to compare with the exact albedo.
+    show
+        The exact albedo, the fit's or their difference, which is the default of a fit.
+    quantity
+        Polarization of the exact albedo; a fit has its own.
+
+    Raises
+    ------
+    NotAllowed
+        If the ends are out of order, or `show` or `quantity` contradicts the fit.
+    """
+    if fit is None and show in ("value", "error"):
+        raise NotAllowed("show", show, "exact, unless a fit is given")
+    if fit is not None and quantity not in (None, fit.quantity):
+        raise NotAllowed("quantity", quantity, f"{fit.id} approximates {fit.quantity}")
+    show = show or ("error" if fit else "exact")
+    quantity = fit.quantity if fit else quantity or "unpolarized"
+    grid, exact = _exact_over_rectangle(n_i, n, k)
+    values = truth = getattr(exact, quantity)
+    domains, largest_inside = [], None
+    if fit:
+        domains = [
+            Box(
+                n_t=(domain.eta[0] * n_i, domain.eta[1] * n_i),
+                k_t=(domain.kappa[0] * n_i, domain.kappa[1] * n_i),
+            )
+            for domain in fit.domains
+        ]
+        if show != "exact":
+            value = fit(grid.interface)
+            values = np.asarray(value - truth) if show == "error" else value
+        inside = fit.contains(grid.interface)
+        largest_inside = _largest(np.where(inside, values, np.nan), grid)
+    return AlbedoMap(
+        convention=CONVENTION,
+        n_i=n_i,
+        n_t=grid.varied["n_t"].ravel(),
+        k_t=grid.varied["k_t"].ravel(),
+        fit=fit.id if fit else None,
+        quantity=quantity,
+        show=show,
+        values=np.ascontiguousarray(values),
+        largest=_largest(values, grid),
+        largest_in_domain=largest_inside,
+        domains=domains,
+    )
+
+
+@lru_cache(maxsize=8)
+def _exact_over_rectangle(n_i: float, n: Ends, k: Ends) -> tuple[Grid, Albedo]:
+    """Exact albedos over a rectangle; kept, since every fit is compared with the same ones."""
+    x, y = Axis.between("n_t", *n, prefix="n_"), Axis.between("k_t", *k, prefix="k_")
+    grid = Grid(Interface(n_i), x, y)
+    return grid, albedo(grid.interface)
+
+
+def _largest(values: Array, grid: Grid) -> Largest | None:
+    """Value of largest modulus and where it is; None if there is none."""
+    modulus = np.where(np.isfinite(values), np.abs(values), -1.0)
+    row, column = np.unravel_index(np.argmax(modulus), values.shape)
+    if modulus[row, column] < 0.0:
+        return None
+    return Largest(
+        value=float(values[row, column]),
+        n_t=float(grid.varied["n_t"][0, column]),
+        k_t=float(grid.varied["k_t"][row, 0]),
+    )
