@@ -268,6 +268,15 @@ def test_exports(quiet_page: Page, what: str, kind: str) -> None:
     assert len(data) > 1000
 
 
+def test_a_file_says_that_its_angles_are_in_radians(quiet_page: Page) -> None:
+    page = opened(quiet_page, "&over=theta-n&angle=rad")
+    page.locator(".heatmap .heatmaplayer image").wait_for(state="attached")
+    for what in ("curves", "errors", "figure of the error"):
+        with page.expect_download(timeout=READY_MS) as waiting:
+            page.get_by_role("button", name=f"Save the {what} as CSV").click()
+        assert Path(waiting.value.path()).read_text("utf-8").startswith("theta_i_rad,")
+
+
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("query", ["", "&over=n-k&n_t=0.27&k_t=2.9&from=hex&given=%23ffe29b"])
 def test_is_accessible(page: Page, scheme: Any, query: str) -> None:

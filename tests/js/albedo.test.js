@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { familiesOf, sideOf } from "../../static/js/albedo/answers.js";
+import { homeOf, sideOf } from "../../static/js/albedo/answers.js";
 import {
   printDomain,
   printError,
@@ -259,9 +259,9 @@ test("broken claims come first, in words and with their size", () => {
 });
 
 test("fits are at home outside, inside or at metals", () => {
-  assert.deepEqual(familiesOf(LOG), ["outside"]);
-  assert.deepEqual(familiesOf(INSIDE), ["inside"]);
-  assert.deepEqual(familiesOf(FIRST), ["metal"]);
+  assert.deepEqual(LOG.domains.map(homeOf), ["outside"]);
+  assert.deepEqual(INSIDE.domains.map(homeOf), ["inside"]);
+  assert.deepEqual(FIRST.domains.map(homeOf), ["metal-n"]);
   const here = /** @type {any} */ ({ exact: { s: 1 }, reverse: { exact: { s: 2 } } });
   assert.equal(sideOf(here, true).exact.s, 1);
   assert.equal(sideOf(here, false).exact.s, 2);

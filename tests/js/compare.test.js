@@ -144,15 +144,15 @@ test("a model with three values of a parameter has curves but no sweep and no ma
 });
 
 test("the figure's ranges follow the media unless they are set", () => {
-  assert.deepEqual(ranges(stateWith()).n, [1.05, 3.05]);
-  assert.deepEqual(ranges(stateWith({ n_t: 4 })).n, [1.05, 5]);
-  assert.deepEqual(ranges(stateWith({ k_t: 2 })).n, [0.1, 5]);
-  assert.deepEqual(ranges(stateWith({ n_i: 1.5, n_t: 1 })).n, [0.45, 1.5]);
-  assert.deepEqual(ranges(stateWith({ n_low: 2, n_high: 1.2 })).n, [1.2, 2]);
+  assert.deepEqual(ranges(stateWith()).n_t, [1.05, 3.05]);
+  assert.deepEqual(ranges(stateWith({ n_t: 4 })).n_t, [1.05, 5]);
+  assert.deepEqual(ranges(stateWith({ k_t: 2 })).n_t, [0.1, 5]);
+  assert.deepEqual(ranges(stateWith({ n_i: 1.5, n_t: 1 })).n_t, [0.45, 1.5]);
+  assert.deepEqual(ranges(stateWith({ n_low: 2, n_high: 1.2 })).n_t, [1.2, 2]);
   assert.equal(focused(stateWith({ focus: "lut_1d" })), "schlick");
 });
 
-test("errors are model minus exact, or that over exact, null where exact is 0", () => {
+test("errors are model minus exact, or that over exact in percent, null where exact is 0", () => {
   const traces = curveTraces(
     curves(1.5, curve("exact", [0, 0.1, 1]), curve("schlick", [0.01, 0.2, 1])),
     ["schlick"],
@@ -166,7 +166,7 @@ test("errors are model minus exact, or that over exact, null where exact is 0", 
       ["schlick", [0.01, 0.1, 0]],
     ],
   );
-  assert.deepEqual(errorTraces(traces, true)[1]?.y, [null, 1, 0]);
+  assert.deepEqual(errorTraces(traces, true)[1]?.y, [null, 100, 0]);
   const [low, high] = errorRange(errorTraces(traces, false));
   assert.ok(low <= 0 && high >= 0.1 && high <= 0.15);
   assert.deepEqual(errorRange([]), [-0.1, 0.1]);
@@ -214,15 +214,21 @@ test("a triple gives a curve for each channel", () => {
 
 test("the table sorts by size, what is unknown last, costs by the server's weights", () => {
   /** @param {string} id @param {Partial<import("../../static/js/errors/metrics.js").Row>} rest @returns {any} */
-  const row = (id, rest) => ({ model: id, quantity: "R", in_domain: true, reason: null, ...rest });
+  const row = (id, rest) => ({
+    model: id,
+    title: id,
+    quantity: "R",
+    in_domain: true,
+    reason: null,
+    ...rest,
+  });
   const rows = [
-    row("a", { rms: 0.2, cosine_weighted_mean: -0.3 }),
+    row("a", { title: "Zed", rms: 0.2, cosine_weighted_mean: -0.3 }),
     row("b", { rms: null, cosine_weighted_mean: null }),
     row("c", { rms: 0.1, cosine_weighted_mean: 0.2 }),
   ];
   const setting = {
     unit: /** @type {const} */ ("deg"),
-    titles: new Map([["a", "Zed"]]),
     costs: new Map(),
     prices: new Map([
       ["a", 9],

@@ -22,18 +22,10 @@
  *   largest_in_domain: Largest | null, domains: {n_t: [number, number], k_t: [number, number]}[]}} AlbedoMap
  */
 
-/** @typedef {'outside' | 'inside' | 'metal'} Family where a fit is at home */
-
-/** @param {Fit} fit @returns {Family[]} */
-export function familiesOf({ domains }) {
-  return domains.map(({ kind, eta }) =>
-    kind === "conductor" ? "metal" : eta[1] > 1 ? "outside" : "inside",
-  );
-}
-
-/** A title without what stands in parentheses or behind the method's name, for the label at a curve. @param {string} title */
-export function shortTitle(title) {
-  return title.replace(/\s*\(.*\)$/, "");
+/** The figure where a fit is at home, and where a claim is to be seen. @param {Domain} domain */
+export function homeOf({ kind, eta }) {
+  if (kind === "conductor") return "metal-n";
+  return eta[1] > 1 ? "outside" : "inside";
 }
 
 /** The side of the surface that a figure shows. @param {Here} here @param {boolean} forward @returns {Side} */

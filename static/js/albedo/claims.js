@@ -61,45 +61,47 @@ function rank({ claim }) {
   return claim.holds === null ? 2 : Number(claim.holds);
 }
 
-/** @type {Column[]} */
+/**
+ * @param {string} name
+ * @param {string} heading
+ * @param {string} note
+ * @param {Column["print"]} print
+ * @param {Column["value"]} [value]
+ * @returns {Column}
+ */
+const column = (name, heading, note, print, value = print) => ({
+  name,
+  heading,
+  note,
+  print,
+  value,
+});
+
 export const COLUMNS = [
-  { name: "fit", heading: "fit", note: "", value: (r) => r.fit.title, print: (r) => r.fit.title },
-  {
-    name: "holds",
-    heading: "does it hold?",
-    note: "",
-    value: rank,
-    print: printHolds,
-  },
-  {
-    name: "claimed",
-    heading: "claimed",
-    note: "largest error by the source: of the albedo, or relative to it where it is a percentage",
-    value: (r) => r.claim.claimed,
-    print: (r) =>
-      r.claim.claimed === null ? "none" : printError(r.claim.claimed, r.claim.relative),
-  },
-  {
-    name: "measured",
-    heading: "measured",
-    note: "largest error found, as a test of ours measures it, and where",
-    value: (r) => r.claim.measured,
-    print: printMeasured,
-  },
-  {
-    name: "domain",
-    heading: "claimed for",
-    note: "the interfaces that the claim is about; n, k and η relative to the medium in front",
-    value: (r) => printDomain(r.claim.domain),
-    print: (r) => printDomain(r.claim.domain),
-  },
-  {
-    name: "source",
-    heading: "source of the claim",
-    note: "",
-    value: (r) => r.claim.source,
-    print: (r) => r.claim.source,
-  },
+  column("fit", "fit", "", ({ fit }) => fit.title),
+  column("holds", "does it hold?", "", printHolds, rank),
+  column(
+    "claimed",
+    "claimed",
+    "largest error by the source: of the albedo, or relative to it where it is a percentage",
+    ({ claim: { claimed, relative } }) =>
+      claimed === null ? "none" : printError(claimed, relative),
+    ({ claim }) => claim.claimed,
+  ),
+  column(
+    "measured",
+    "measured",
+    "largest error found, as a test of ours measures it, and where",
+    printMeasured,
+    ({ claim }) => claim.measured,
+  ),
+  column(
+    "domain",
+    "claimed for",
+    "the interfaces that the claim is about; n, k and η relative to the medium in front",
+    ({ claim }) => printDomain(claim.domain),
+  ),
+  column("source", "source of the claim", "", ({ claim }) => claim.source),
 ];
 
 /** @param {readonly Fit[]} fits @returns {Row[]} one for each claim */
@@ -111,10 +113,4 @@ export function rowsOf(fits) {
 export function sortedClaims(rows, by, order) {
   const column = COLUMNS.find((c) => c.name === by) ?? /** @type {Column} */ (COLUMNS[0]);
   return byColumn(rows, column.value, order);
-}
-
-/** The figure where a claim is to be seen. @param {Domain} domain @returns {'outside' | 'inside' | 'metal-n'} */
-export function homeOf({ kind, eta }) {
-  if (kind === "conductor") return "metal-n";
-  return eta[1] > 1 ? "outside" : "inside";
 }

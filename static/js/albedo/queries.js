@@ -2,30 +2,22 @@
 
 import { coatPath } from "../coat/fields.js";
 import { mediaQuery, path } from "../server/questions.js";
-import { chosenFits, isMetal, mapFit, mapRange, sweepRange } from "./fields.js";
+import { chosenFits, held, mapFit, mapRange, surfaceOf, sweepRange } from "./fields.js";
 
 /** Steps of a hundredth at least over each of the ranges. */
-const STEPS = { dielectric: 401, metal: 401 };
-const MAP_CELLS = { n: 118, k: 121 };
-/** A cell's colour needs no more. */
+const STEPS = 401;
+/** What a cell's color needs, and no more. */
 const MAP_DIGITS = 6;
 
-/** The indices that stay as they are in a sweep. @param {State} state @returns {string[]} */
-export function held({ surface }) {
-  return isMetal(surface) ? ["n_i", surface === "metal-n" ? "k_t" : "n_t"] : [];
-}
-
 /** @param {State} state @param {Catalog} catalog */
-export function sweepPath(state, catalog) {
-  const metal = isMetal(state.surface);
-  const over = { "metal-n": "n_t", "metal-k": "k_t" }[/** @type {string} */ (state.surface)];
+function sweepPath(state, catalog) {
   const [low, high] = sweepRange(state);
   const fits = chosenFits(state);
   return path("/albedo/sweep", [
-    `over=${over ?? "eta"}`,
+    `over=${surfaceOf(state).over}`,
     `minimum=${low}`,
     `maximum=${high}`,
-    `steps=${metal ? STEPS.metal : STEPS.dielectric}`,
+    `steps=${STEPS}`,
     fits.length > 0 && `fits=${fits.join(",")}`,
     state.lights.includes("flatland") && "flatland=true",
     ...mediaQuery(state, catalog, held(state)),
@@ -33,22 +25,13 @@ export function sweepPath(state, catalog) {
 }
 
 /** @param {State} state @param {Catalog} catalog */
-export function herePath(state, catalog) {
-  return path("/albedo", mediaQuery(state, catalog, ["n_i", "n_t", "k_t"]));
-}
-
-/** @param {State} state @param {Catalog} catalog */
-export function mapPath(state, catalog) {
+function mapPath(state, catalog) {
   const { n, k } = mapRange(state);
   return path("/albedo/map", [
     state.map_show !== "exact" && `fit=${mapFit(state)}`,
     state.map_show === "value" && "show=value",
-    `n_minimum=${n[0]}`,
-    `n_maximum=${n[1]}`,
-    `n_steps=${MAP_CELLS.n}`,
-    `k_minimum=${k[0]}`,
-    `k_maximum=${k[1]}`,
-    `k_steps=${MAP_CELLS.k}`,
+    `n_minimum=${n[0]}&n_maximum=${n[1]}&n_steps=118`,
+    `k_minimum=${k[0]}&k_maximum=${k[1]}&k_steps=121`,
     `digits=${MAP_DIGITS}`,
     ...mediaQuery(state, catalog, ["n_i"]),
   ]);
@@ -65,7 +48,7 @@ export function mapPath(state, catalog) {
 export function queries(state, catalog, moving = false) {
   return {
     sweep: sweepPath(state, catalog),
-    here: herePath(state, catalog),
+    here: path("/albedo", mediaQuery(state, catalog)),
     coat: coatPath(state),
     fits: "/albedo/fits",
     ...(!moving && { map: mapPath(state, catalog) }),

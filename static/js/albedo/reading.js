@@ -1,10 +1,11 @@
 /** The interface at hand: its exact albedos from both sides, and what the fits make of it. */
 
 import { short } from "../errors/metrics.js";
-import { sample } from "../models/look.js";
+import { sampled } from "../models/sampled.js";
 import { plain, six } from "../numbers/format.js";
-import { h, setText, symbol } from "../page/dom.js";
-import { copyText, flash } from "../page/exports.js";
+import { h, symbol } from "../page/dom.js";
+import { html, nothing, render } from "../page/lit.js";
+import { copied } from "../page/tables.js";
 import { sideOf } from "./answers.js";
 import { chosenFits, facing, isMetal } from "./fields.js";
 import { fitStyle } from "./style.js";
@@ -12,6 +13,8 @@ import { fitStyle } from "./style.js";
 /**
  * @typedef {import('./answers.js').Fit} Fit
  * @typedef {import('./answers.js').Here} Here
+ * @typedef {import('./answers.js').Exact} Exact
+ * @typedef {import('./answers.js').Approximation} Approximation
  */
 
 const QUANTITIES = /** @type {const} */ (["unpolarized", "s", "p"]);
@@ -42,136 +45,70 @@ export function written(reason) {
 
 /** @param {(text: string) => void} say */
 export function createReading(say) {
-  /** @type {{name: string, value: HTMLButtonElement, number: number | null}[]} */
-  const cells = [];
-  /** @param {string} name */
-  function cell(name) {
-    const value = h("button", { type: "button", class: "number" });
-    const entry = { name, value, number: /** @type {number | null} */ (null) };
-    value.addEventListener("click", async () => {
-      const done = await copyText(entry.number === null ? "none" : String(entry.number));
-      flash(value, done);
-      say(done ? `${name} copied` : "Copying is not allowed here");
-    });
-    cells.push(entry);
-    return entry;
-  }
-  /** @param {string} name */
-  function line(name) {
-    const way = h("span", { class: "way" });
-    const what = h("span", { class: "meaning" });
-    const entries = QUANTITIES.map((q) => cell(`${name} albedo, ${q}`));
-    const tr = h(
-      "tr",
-      {},
-      h("th", { scope: "row" }, way, what),
-      ...entries.map((e) => h("td", {}, e.value)),
-    );
-    return { tr, way, what, entries };
-  }
-  const forward = line("forward");
-  const back = line("reverse");
-  const flat = cell("flatland albedo");
-  const exact = h(
-    "table",
-    { class: "exact-albedos" },
-    h("caption", { class: "hidden" }, "Exact albedos of the interface"),
-    h(
-      "thead",
-      {},
-      h("tr", {}, h("td"), ...["A", "A_s", "A_p"].map((s) => h("th", { scope: "col" }, symbol(s)))),
-    ),
-    h(
-      "tbody",
-      {},
-      forward.tr,
-      back.tr,
-      h(
-        "tr",
-        {},
-        h(
-          "th",
-          { scope: "row" },
-          "in flatland",
-          h("span", { class: "meaning" }, "two dimensions, unpolarized"),
-        ),
-        h("td", {}, flat.value),
-        h("td"),
-        h("td"),
-      ),
-    ),
-  );
-  const body = h("tbody", {});
-  const fitTable = h(
-    "table",
-    { class: "fit-values" },
-    h("caption", { class: "hidden" }, "The fits for this interface"),
-    h(
-      "thead",
-      {},
-      h("tr", {}, ...["fit", "albedo", "error"].map((text) => h("th", { scope: "col" }, text))),
-    ),
-    body,
-  );
-  const side = h("p", { class: "reason" });
-  const method = h("p", { class: "reason" });
-  const element = h("div", { class: "reading" }, exact, method, side, fitTable);
+  const element = h("div", { class: "reading" });
+  const symbols = ["A", "A_s", "A_p"].map((name) => html`<th scope="col">${symbol(name)}</th>`);
 
-  /** @param {{value: HTMLButtonElement, name: string, number: number | null}} entry @param {number | null} number */
-  function put(entry, number) {
-    entry.number = number;
-    setText(entry.value, six(number));
-    entry.value.toggleAttribute("data-none", number === null);
-    const label = `${entry.name}: ${entry.value.textContent}, copy`;
-    if (entry.value.ariaLabel !== label) entry.value.ariaLabel = label;
-  }
+  /** @param {string} name @param {string} way @param {string} what @param {Exact | undefined} exact */
+  const line = (name, way, what, exact) => html`<tr>
+    <th scope="row"><span class="way">${way}</span><span class="meaning">${what}</span></th>
+    ${QUANTITIES.map(
+      (q) => html`<td>${copied(`${name} albedo, ${q}`, exact?.[q] ?? null, say)}</td>`,
+    )}
+  </tr>`;
+
+  /** @param {Approximation} fit @param {readonly Fit[]} fits */
+  const fitLine = ({ id, title, value, error, in_domain, reason }, fits) => html`<tr
+    data-fit=${id}
+    ?data-outside=${!in_domain}
+  >
+    <th scope="row"><span class="overlay-name">${sampled(fitStyle(fits, id))}${title}</span>${
+      reason && html`<span class="beyond">outside its domain: ${written(reason)}</span>`
+    }</th>
+    <td>${six(value)}</td>
+    <td>${short(error)}</td>
+  </tr>`;
 
   return {
     element,
     /** @param {State} state @param {Here | undefined} here @param {readonly Fit[]} fits */
     update(state, here, fits) {
       if (!here) return;
-      setText(forward.way, direction(here.interface, false));
-      setText(forward.what, meaning(here, false));
-      setText(back.way, here.reverse ? direction(here.interface, true) : "from inside");
-      setText(
-        back.what,
-        here.reverse ? meaning(here, true) : "an absorber is met from outside alone",
-      );
-      QUANTITIES.forEach((q, i) => {
-        put(/** @type {typeof flat} */ (forward.entries[i]), here.exact[q]);
-        put(/** @type {typeof flat} */ (back.entries[i]), here.reverse?.exact[q] ?? null);
-      });
-      put(flat, here.flatland);
-      setText(method, `exact by ${here.exact.method}`);
+      const { interface: media, reverse } = here;
       const forwards = isMetal(state.surface) || facing(state);
       const { approximations } = sideOf(here, forwards);
-      const rows = chosenFits(state).flatMap((id) => {
-        const found = approximations.find((a) => a.id === id);
-        return found ? [found] : [];
-      });
-      setText(
-        side,
-        rows.length ? `Fits ${direction(here.interface, !forwards && here.reverse !== null)}:` : "",
-      );
-      fitTable.hidden = rows.length === 0;
-      body.replaceChildren(
-        ...rows.map((row) =>
-          h(
-            "tr",
-            { "data-fit": row.id, "data-outside": !row.in_domain },
-            h(
-              "th",
-              { scope: "row" },
-              h("span", { class: "overlay-name" }, sample(fitStyle(fits, row.id)), row.title),
-              row.reason
-                ? h("span", { class: "beyond" }, `outside its domain: ${written(row.reason)}`)
-                : null,
-            ),
-            h("td", {}, six(row.value)),
-            h("td", {}, short(row.error)),
-          ),
-        ),
+      const rows = chosenFits(state).flatMap((id) => approximations.find((a) => a.id === id) ?? []);
+      const back = reverse
+        ? { way: direction(media, true), what: meaning(here, true) }
+        : { way: "from inside", what: "an absorber is met from outside alone" };
+      render(
+        html`<table class="exact-albedos">
+            <caption class="hidden">Exact albedos of the interface</caption>
+            <thead><tr><td></td>${symbols}</tr></thead>
+            <tbody>
+              ${line("forward", direction(media, false), meaning(here, false), here.exact)}
+              ${line("reverse", back.way, back.what, reverse?.exact)}
+              <tr>
+                <th scope="row">in flatland<span class="meaning">two dimensions, unpolarized</span></th>
+                <td>${copied("flatland albedo", here.flatland, say)}</td>
+                <td></td>
+                <td></td>
+              </tr>
+            </tbody>
+          </table>
+          <p class="reason">exact by ${here.exact.method}</p>
+          <p class="reason">${
+            rows.length ? `Fits ${direction(media, !forwards && reverse !== null)}:` : nothing
+          }</p>
+          <table class="fit-values" ?hidden=${rows.length === 0}>
+            <caption class="hidden">The fits for this interface</caption>
+            <thead><tr>
+              <th scope="col">fit</th>
+              <th scope="col">albedo</th>
+              <th scope="col">error</th>
+            </tr></thead>
+            <tbody>${rows.map((row) => fitLine(row, fits))}</tbody>
+          </table>`,
+        element,
       );
     },
   };

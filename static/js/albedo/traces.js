@@ -1,6 +1,6 @@
 /** The albedos over an abscissa and the errors of the fits, from the sweep that the server sent. */
 
-import { shortTitle } from "./answers.js";
+import { shortTitle } from "../models/look.js";
 import { CLAIMED, fitStyle, OUTSIDE } from "./style.js";
 
 /**
@@ -10,32 +10,27 @@ import { CLAIMED, fitStyle, OUTSIDE } from "./style.js";
  * @typedef {{lights: readonly string[], relative: boolean}} Shown
  */
 
-/** @type {Record<string, {label: string, color: string, dash: string, width: number, column: string}>} */
+/** Exact curves, by their quantity. @type {Record<string, {label: string, color: string, dash: string, width: number, column: string}>} */
 const EXACT = {
   unpolarized: { label: "A", color: "--R", dash: "solid", width: 2.6, column: "exact" },
   s: { label: "A_s", color: "--Rs", dash: "solid", width: 1.7, column: "exact_s" },
   p: { label: "A_p", color: "--Rp", dash: "dash", width: 1.7, column: "exact_p" },
+  flatland: { label: "flatland", color: "--T", dash: "longdash", width: 1.7, column: "flatland" },
 };
-const FLATLAND = {
-  label: "flatland",
-  color: "--T",
-  dash: "longdash",
-  width: 1.7,
-  column: "flatland",
-};
+
+/** @param {Sweep} sweep */
+const fitsOf = (sweep) => sweep.curves.filter((c) => c.kind === "fit");
+
 /** Which exact albedos are drawn: those asked for, and those that a fit approximates. @param {Sweep} sweep @param {readonly string[]} lights */
 function exactCurves(sweep, lights) {
-  const needed = new Set(sweep.curves.filter((c) => c.kind === "fit").map((c) => c.quantity));
+  const needed = fitsOf(sweep).map((c) => c.quantity);
   return sweep.curves.filter((c) => {
     if (c.kind !== "exact") return false;
     if (c.id === "flatland") return lights.includes("flatland");
-    return c.quantity === "unpolarized" || lights.includes(c.quantity) || needed.has(c.quantity);
+    return (
+      c.quantity === "unpolarized" || lights.includes(c.quantity) || needed.includes(c.quantity)
+    );
   });
-}
-
-/** @param {Sweep} sweep @param {string} quantity */
-export function exactValues(sweep, quantity) {
-  return sweep.curves.find((c) => c.id === "exact" && c.quantity === quantity)?.values ?? [];
 }
 
 /**
@@ -87,32 +82,27 @@ function fitTraces(curve, x, y, fits) {
 /** @param {Sweep} sweep @param {Shown} shown @param {readonly Fit[]} fits @returns {Trace[]} */
 export function albedoTraces(sweep, { lights }, fits) {
   const x = sweep.values;
-  const exact = exactCurves(sweep, lights).map((curve) => ({
-    id: curve.id === "flatland" ? "flatland" : `exact.${curve.quantity}`,
-    x,
-    y: curve.values,
-    .../** @type {typeof FLATLAND} */ (curve.id === "flatland" ? FLATLAND : EXACT[curve.quantity]),
-  }));
-  const fitted = sweep.curves
-    .filter((c) => c.kind === "fit")
-    .flatMap((curve) => fitTraces(curve, x, curve.values, fits));
+  const exact = exactCurves(sweep, lights).map(({ id, quantity, values: y }) => {
+    const flat = id === "flatland";
+    const look = /** @type {typeof EXACT.s & {}} */ (EXACT[flat ? id : quantity]);
+    return { id: flat ? id : `exact.${quantity}`, x, y, ...look };
+  });
   // The exact albedo lies under the fits, or one would not see that they are there.
-  return [...exact, ...fitted];
+  return [...exact, ...fitsOf(sweep).flatMap((fit) => fitTraces(fit, x, fit.values, fits))];
 }
 
 /**
- * Fit minus exact of the same polarization, or that over exact; null where exact is 0.
+ * Fit minus exact of the same polarization, or that over exact in percent; null where exact is 0.
  * @param {SweepCurve} curve
  * @param {Sweep} sweep
  * @param {boolean} relative
  * @returns {(number | null)[]}
  */
-export function errorOf(curve, sweep, relative) {
-  const error = curve.error ?? [];
-  if (!relative) return error;
-  const exact = exactValues(sweep, curve.quantity);
+export function errorOf({ error, quantity }, sweep, relative) {
+  if (!relative || !error) return error ?? [];
+  const exact = sweep.curves.find((c) => c.id === "exact" && c.quantity === quantity)?.values;
   return error.map((e, i) => {
-    const right = exact[i];
+    const right = exact?.[i];
     return e === null || !right ? null : (100 * e) / right;
   });
 }
@@ -121,26 +111,17 @@ export function errorOf(curve, sweep, relative) {
 export function errorTraces(sweep, { relative }, fits) {
   const x = sweep.values;
   const unit = relative ? " %" : undefined;
-  const zero = {
-    id: "zero",
-    label: "exact",
-    color: "--R",
-    dash: "solid",
-    width: 1.2,
-    x,
-    y: x.map(() => 0),
-  };
-  const fitted = sweep.curves
-    .filter((c) => c.kind === "fit")
-    .flatMap((curve) => {
-      const quantity = curve.quantity === "unpolarized" ? "" : ` (${curve.quantity})`;
-      return fitTraces(curve, x, errorOf(curve, sweep, relative), fits).map((t) => ({
-        ...t,
-        label: t.label + quantity,
-        unit,
-        column: `${t.id}.error`,
-      }));
-    });
+  const look = { color: "--R", dash: "solid", width: 1.2 };
+  const zero = { id: "zero", label: "exact", ...look, x, y: x.map(() => 0) };
+  const fitted = fitsOf(sweep).flatMap((curve) => {
+    const quantity = curve.quantity === "unpolarized" ? "" : ` (${curve.quantity})`;
+    return fitTraces(curve, x, errorOf(curve, sweep, relative), fits).map((t) => ({
+      ...t,
+      label: t.label + quantity,
+      unit,
+      column: `${t.id}.error`,
+    }));
+  });
   return [zero, ...fitted];
 }
 
@@ -153,35 +134,33 @@ export function errorTraces(sweep, { relative }, fits) {
  * @returns {Trace[]}
  */
 export function claimTraces(sweep, fits, relative) {
-  const { over, n_i } = sweep;
-  const unit = over === "eta" ? 1 : n_i;
-  return sweep.curves
-    .filter((c) => c.kind === "fit")
-    .flatMap((curve) => {
-      const { color } = fitStyle(fits, curve.id);
-      const claims = fits.find((f) => f.id === curve.id)?.claims ?? [];
-      return claims.flatMap(({ claimed, relative: own, domain }, index) => {
-        if (claimed === null || own !== relative) return [];
-        const swept = over === "k_t" ? domain.kappa : domain.eta;
-        const fixed = over === "k_t" ? domain.eta : domain.kappa;
-        const other = (over === "k_t" ? sweep.n_t : sweep.k_t) ?? 0;
-        if (other < fixed[0] * unit || other > fixed[1] * unit) return [];
-        const size = relative ? 100 * claimed : claimed;
-        return [1, -1].map((sign) => ({
-          id: `claim.${curve.id}.${index}.${sign}`,
-          label: `${fits.find((f) => f.id === curve.id)?.title}, claimed`,
-          bare: true,
-          column: `${curve.id}.claimed`,
-          color,
-          ...CLAIMED,
-          unit: relative ? " %" : undefined,
-          x: sweep.values,
-          y: sweep.values.map((v) =>
-            v >= swept[0] * unit && v <= swept[1] * unit ? sign * size : null,
-          ),
-        }));
-      });
+  const { over, n_i, values: x } = sweep;
+  const along = over === "k_t" ? "kappa" : "eta";
+  const across = over === "k_t" ? "eta" : "kappa";
+  const other = (over === "k_t" ? sweep.n_t : sweep.k_t) ?? 0;
+  /** @param {number} v @param {readonly [number, number]} range over the medium in front */
+  const within = (v, [low, high]) => {
+    const unit = over === "eta" ? 1 : n_i;
+    return v >= low * unit && v <= high * unit;
+  };
+  return fitsOf(sweep).flatMap(({ id }) => {
+    const fit = fits.find((f) => f.id === id);
+    return (fit?.claims ?? []).flatMap(({ claimed, relative: own, domain }, index) => {
+      if (claimed === null || own !== relative || !within(other, domain[across])) return [];
+      const size = relative ? 100 * claimed : claimed;
+      return [size, -size].map((end) => ({
+        id: `claim.${id}.${index}.${Math.sign(end)}`,
+        label: `${fit?.title}, claimed`,
+        bare: true,
+        column: `${id}.claimed`,
+        ...fitStyle(fits, id),
+        ...CLAIMED,
+        unit: relative ? " %" : undefined,
+        x,
+        y: x.map((v) => (within(v, domain[along]) ? end : null)),
+      }));
     });
+  });
 }
 
 /** Only what lies in a fit's domain says how far an axis reaches. @param {readonly Trace[]} traces @returns {Trace[]} */

@@ -1,13 +1,18 @@
 /** What the picture of glossy paint adds to the state, and what it asks the server for. */
 
-import { path } from "../server/questions.js";
+import { declared, path } from "../server/questions.js";
 import { choice, number } from "../state/state.js";
+
+/**
+ * What `/albedo/coat` sends.
+ * @typedef {{interface: Interface, body_albedo: number, theta_i_deg: number | null,
+ *   external: number, internal: number, surface: number, body: number, absorbed: number}} Coat
+ */
 
 /** @param {Parameter[]} parameters @returns {Record<string, Field>} */
 export function coatFields(parameters) {
-  const n = parameters.find((p) => p.name === "n_t") ?? { minimum: 1e-3, maximum: 100 };
   return {
-    coat_n: number({ ...n, default: 1.5 }),
+    coat_n: number({ ...declared(parameters, "n_t"), default: 1.5 }),
     coat_body: number({ default: 0.5, minimum: 0, maximum: 1 }),
     coat_light: choice("diffuse", ["diffuse", "ray"]),
     coat_theta: number({ default: 45, minimum: 0, maximum: 90 }),

@@ -6,7 +6,8 @@
  * @typedef {{name: BandName, points: [number, number][]}} Band corners in px
  * @typedef {{x: number, y: number}} Place
  * @typedef {{bands: Band[], surface: number, body: number, floor: number,
- *   labels: Record<'incoming' | 'surface' | 'body' | 'absorbed' | 'internal', Place>, loop: string}} Picture
+ *   labels: Record<'incoming' | 'surface' | 'body' | 'absorbed' | 'internal', Place>, loop: string, head: string}} Picture
+ *   `loop` is the way of what is thrown back, `head` its arrow
  */
 
 /** Shares of the picture's width. */
@@ -30,39 +31,24 @@ const BODY = 0.68;
  * @returns {Band}
  */
 function band(name, [left, right], lean, top, bottom, arrow = false) {
-  if (!arrow)
-    return {
-      name,
-      points: [
-        [left, top],
-        [right, top],
-        [right + lean, bottom],
-        [left + lean, bottom],
-      ],
-    };
+  /** @type {Band["points"]} */
+  const start = [
+    [left, top],
+    [right, top],
+  ];
+  if (!arrow) return { name, points: [...start, [right + lean, bottom], [left + lean, bottom]] };
   const way = Math.hypot(lean, bottom - top) || 1;
   const [dx, dy] = [lean / way, (bottom - top) / way];
   const half = (Math.abs(dy) * (right - left)) / 2;
   const wing = half + FLARE;
   const long = Math.min(wing * 1.2, 0.45 * way);
-  const end = { x: (left + right) / 2 + lean, y: bottom };
-  const neck = { x: end.x - dx * long, y: end.y - dy * long };
+  const [x, y] = [(left + right) / 2 + lean, bottom];
   // Across the way, toward the side where the band's right end is.
   const turn = dy < 0 ? 1 : -1;
-  /** @param {number} size @returns {[number, number]} */
-  const beside = (size) => [neck.x - turn * dy * size, neck.y + turn * dx * size];
-  return {
-    name,
-    points: [
-      [left, top],
-      [right, top],
-      beside(half),
-      beside(wing),
-      [end.x, end.y],
-      beside(-wing),
-      beside(-half),
-    ],
-  };
+  /** @param {number} size @returns {[number, number]} where the head begins */
+  const beside = (size) => [x - dx * long - turn * dy * size, y - dy * long + turn * dx * size];
+  const head = [half, wing, -wing, -half].map(beside);
+  return { name, points: [...start, ...head.slice(0, 2), [x, y], ...head.slice(2)] };
 }
 
 /**
@@ -86,19 +72,18 @@ export function coatPicture({ surface, body, absorbed }, { width, height, line }
   const exit = [up[0] + COAT * width, up[1] + COAT * width];
   const bottom = height - line * 0.3;
 
-  const arrows = (/** @type {number} */ share) => share > 0;
-
   /** @type {Band[]} */
   const bands = [
     band("incoming", [left - AIR * width, right - AIR * width], AIR * width, sky, ys),
     band("entering", [left, left + entering], COAT * width, ys, yb),
-    band("surface", [right - beam * surface, right], AIR * width, ys, sky, arrows(surface)),
-    band("absorbed", [down, down + beam * absorbed], 0, yb, bottom, arrows(absorbed)),
+    band("surface", [right - beam * surface, right], AIR * width, ys, sky, surface > 0),
+    band("absorbed", [down, down + beam * absorbed], 0, yb, bottom, absorbed > 0),
     band("body", up, COAT * width, yb, ys),
-    band("body", exit, AIR * width, ys, sky, arrows(body)),
+    band("body", exit, AIR * width, ys, sky, body > 0),
   ];
   const x = Math.min(0.85 * width, exit[1] + 0.13 * width);
-  const loop = 0.05 * width;
+  const [start, end] = [round(x - 0.05 * width), round(x + 0.05 * width)];
+  const turn = round(ys - 0.1 * (yb - ys));
   return {
     bands: bands.filter(
       (b) => b.name === "incoming" || (b.points[1]?.[0] ?? 0) - (b.points[0]?.[0] ?? 0) > 0.02,
@@ -113,7 +98,8 @@ export function coatPicture({ surface, body, absorbed }, { width, height, line }
       absorbed: { x: down + beam * absorbed + 0.5 * line, y: (yb + bottom) / 2 },
       internal: { x, y: yb + 1.3 * line },
     },
-    loop: `M${round(x - loop)},${round(yb - 2)}C${round(x - loop)},${round(ys - 0.1 * (yb - ys))} ${round(x + loop)},${round(ys - 0.1 * (yb - ys))} ${round(x + loop)},${round(yb - 4)}`,
+    loop: `M${start},${round(yb - 2)}C${start},${turn} ${end},${turn} ${end},${round(yb - 4)}`,
+    head: `M${end - 4},${round(yb - 10)}L${end},${round(yb - 2)}L${end + 4},${round(yb - 10)}`,
   };
 }
 

@@ -1,6 +1,7 @@
-/** Which models stand against the exact curve: three groups, and a search over all of them. */
+/** Which models stand against the exact curve: three folds, and a search over all of them. */
 
-import { modelStyle, sample } from "../models/look.js";
+import { createClear, createFold } from "../controls/fold.js";
+import { modelStyle } from "../models/look.js";
 import { h, setText } from "../page/dom.js";
 
 /** Whether a model is kept to show a mistake. @param {Model} model */
@@ -36,85 +37,50 @@ export function createChooser({ models, chosen, onChange }) {
     "aria-label": "Search the models",
     autocomplete: "off",
     spellcheck: "false",
+    oninput: filter,
+    onkeydown(/** @type {KeyboardEvent} */ event) {
+      if (event.key !== "Escape" || search.value === "") return;
+      search.value = "";
+      filter();
+    },
   });
   const none = h("p", { class: "reason" });
   const groups = GROUPS.map(({ legend, open, holds }) => {
-    const items = models.filter((m) => m.id !== "exact" && holds(m)).map(item);
-    const count = h("span", { class: "count" });
-    const box = h(
-      "details",
-      { class: "forms", open },
-      h("summary", {}, legend, count),
-      h(
-        "fieldset",
-        { class: "choice several listed" },
-        h("legend", {}, legend),
-        h("div", { class: "options" }, ...items.map((i) => i.label)),
-      ),
-    );
-    return { box, items, count, open };
+    const members = models.filter((m) => m.id !== "exact" && holds(m));
+    const entries = members.map((m) => ({
+      id: m.id,
+      title: m.title.replace(/\s*\(trap\)/, ""),
+      note: `${m.validity}\n${m.reference}`,
+      style: modelStyle(models, m.id),
+    }));
+    return { members, open, fold: createFold({ legend, entries, open, chosen, onChange }) };
   });
-
-  /** @param {Model} model */
-  function item(model) {
-    const input = h("input", {
-      type: "checkbox",
-      value: model.id,
-      onchange: () => {
-        const others = chosen().filter((id) => id !== model.id);
-        onChange(input.checked ? [...others, model.id] : others);
-      },
-    });
-    const label = h(
-      "label",
-      { title: `${model.validity}\n${model.reference}` },
-      input,
-      h(
-        "span",
-        { class: "overlay-name" },
-        sample(modelStyle(models, model.id)),
-        model.title.replace(/\s*\(trap\)/, ""),
-      ),
-    );
-    return { model, input, label };
-  }
 
   function filter() {
     const text = search.value.trim();
     let found = 0;
-    for (const { box, items, open } of groups) {
-      const hits = items.filter(({ model, label }) => {
-        const hit = text === "" || matches(model, text);
-        label.hidden = !hit;
-        return hit;
+    for (const { members, open, fold } of groups) {
+      const hits = members.map((model) => text === "" || matches(model, text));
+      fold.labels.forEach((label, i) => {
+        label.hidden = !hits[i];
       });
-      found += hits.length;
-      box.hidden = hits.length === 0;
-      if (text !== "") box.open = true;
-      else if (!items.some((i) => i.input.checked)) box.open = open;
+      const any = hits.includes(true);
+      found += Number(any);
+      fold.element.hidden = !any;
+      if (text !== "") fold.element.open = true;
+      else if (!fold.ids.some((id) => chosen().includes(id))) fold.element.open = open;
     }
     setText(none, found === 0 ? `No model speaks of “${text}”.` : "");
   }
-  search.addEventListener("input", filter);
-  search.addEventListener("keydown", (event) => {
-    if (event.key !== "Escape" || search.value === "") return;
-    search.value = "";
-    filter();
-  });
 
-  const clear = h(
-    "button",
-    { type: "button", class: "quiet", onclick: () => onChange([]) },
-    "clear",
-  );
-  clear.setAttribute("aria-label", "clear the choice of models");
+  const clear = createClear("Models", "clear the choice of models", onChange);
   const element = h(
     "div",
     { class: "chooser" },
-    h("div", { class: "heading" }, h("h2", {}, "Models"), clear),
+    clear.element,
     search,
     none,
-    ...groups.map((g) => g.box),
+    ...groups.map((g) => g.fold.element),
   );
   let revealed = false;
 
@@ -122,20 +88,9 @@ export function createChooser({ models, chosen, onChange }) {
     element,
     /** @param {readonly string[]} ids @param {ReadonlyMap<string, string>} reasons */
     update(ids, reasons) {
-      clear.hidden = ids.length === 0;
-      for (const { items, count, box } of groups) {
-        let on = 0;
-        for (const { model, input, label } of items) {
-          input.checked = ids.includes(model.id);
-          if (input.checked) on += 1;
-          const reason = reasons.get(model.id) ?? "";
-          if ((label.dataset.reason ?? "") === reason) continue;
-          if (reason) label.dataset.reason = reason;
-          else delete label.dataset.reason;
-        }
-        setText(count, on ? ` ${on} of ${items.length}` : ` ${items.length}`);
-        if (!revealed && on > 0) box.open = true;
-      }
+      clear.update(ids);
+      for (const { fold } of groups)
+        if (fold.update(ids, reasons) > 0 && !revealed) fold.element.open = true;
       revealed = true;
     },
   };

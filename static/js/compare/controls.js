@@ -1,33 +1,55 @@
 /** The panel of the Compare view: media, indices, models and their parameters. */
 
-import { createInterface } from "../controls/media.js";
-import { createChoice, createSheet } from "../controls/panel.js";
+import { createChoices } from "../controls/panel.js";
 import { createParameters } from "../controls/parameters.js";
-import { h, setText } from "../page/dom.js";
+import { createTyped } from "../controls/typed.js";
+import { createPanel } from "../controls/view-panel.js";
+import { h } from "../page/dom.js";
 import { createChooser } from "./chooser.js";
+import { compareFields } from "./fields.js";
 
-/**
- * @typedef {import('../controls/media.js').Manner} Manner
- */
-
-/** The ranges of d'Eon's conductor comparison; "more" goes beyond them. @type {Record<string, Manner>} */
+/** The ranges of d'Eon's conductor comparison; "more" goes beyond them. @type {Record<string, import('../controls/media.js').Manner>} */
 const MANNERS = {
   n_i: { label: "incident index", range: [1, 2], wide: [0.1, 10] },
   n_t: { label: "second index", range: [0.1, 5], wide: [0.1, 10] },
   k_t: { label: "extinction", range: [0, 5], wide: [0, 20] },
 };
 
-/**
- * @param {object} options
- * @param {Catalog} options.catalog
- * @param {State} options.presets
- * @param {() => State} options.state
- * @param {Actions} options.actions
- * @param {Field} options.family
- * @param {() => Promise<void>} options.describeMedia
- */
-export function createControls({ catalog, presets, state, actions, family, describeMedia }) {
-  const { rows, media } = createInterface({
+/** @param {ViewContext} context */
+export function createControls({ catalog, presets, state, actions, describeMedia }) {
+  const family = /** @type {Field} */ (compareFields(catalog).family);
+  const { models } = catalog;
+  const members = createTyped({
+    attributes: {
+      class: "box family",
+      placeholder: "such as 1.33, 2.42",
+      id: "compare-family",
+    },
+    id: "compare-family-error",
+    parse(text) {
+      const list = text
+        .replace(/[\s;]+/g, ",")
+        .replace(/,+/g, ",")
+        .replace(/^,|,$/g, "");
+      return list === "" ? Object.freeze([]) : family.parse(list);
+    },
+    onChange: (values) => actions.set({ family: values }),
+  });
+  const familyBox = h(
+    "div",
+    { class: "family-row" },
+    h("label", { for: "compare-family" }, "also at ", h("var", { class: "symbol" }, "n"), " ="),
+    members.box,
+    members.wrong,
+  );
+  const choices = createChoices(actions, { angle: ["Angles", { deg: "degrees", rad: "radians" }] });
+  const chooser = createChooser({
+    models,
+    chosen: () => state().against,
+    onChange: (ids) => actions.set({ against: Object.freeze(ids) }),
+  });
+  const parameters = createParameters({ models, state, actions, prefix: "compare-" });
+  const panel = createPanel({
     catalog,
     presets,
     state,
@@ -35,77 +57,13 @@ export function createControls({ catalog, presets, state, actions, family, descr
     prefix: "compare-",
     manners: MANNERS,
     describeMedia,
+    choices: [familyBox, chooser.element, parameters.element, choices.elements.angle],
   });
-
-  const members = h("input", {
-    class: "box family",
-    type: "text",
-    autocomplete: "off",
-    spellcheck: "false",
-    placeholder: "such as 1.33, 2.42",
-    id: "compare-family",
-    "aria-describedby": "compare-family-error",
-  });
-  const wrong = h("p", { class: "row-error", id: "compare-family-error", role: "alert" });
-  members.addEventListener("change", () => {
-    try {
-      const text = members.value
-        .replace(/[\s;]+/g, ",")
-        .replace(/,+/g, ",")
-        .replace(/^,|,$/g, "");
-      const values = text === "" ? Object.freeze([]) : family.parse(text);
-      setText(wrong, "");
-      members.removeAttribute("aria-invalid");
-      actions.set({ family: values });
-    } catch (problem) {
-      setText(wrong, `“${members.value}”: ${problem instanceof Error ? problem.message : problem}`);
-      members.setAttribute("aria-invalid", "true");
-    }
-  });
-  const familyBox = h(
-    "div",
-    { class: "family-row" },
-    h("label", { for: "compare-family" }, "also at ", h("var", { class: "symbol" }, "n"), " ="),
-    members,
-    wrong,
-  );
-
-  const angles = createChoice({
-    legend: "Angles",
-    items: [
-      { value: "deg", label: "degrees" },
-      { value: "rad", label: "radians" },
-    ],
-    onChange: ([value]) => actions.set({ angle: value }),
-  });
-
-  const chooser = createChooser({
-    models: catalog.models,
-    chosen: () => state().against,
-    onChange: (ids) => actions.set({ against: Object.freeze(ids) }),
-  });
-  const parameters = createParameters({
-    models: catalog.models,
-    state,
-    actions,
-    prefix: "compare-",
-  });
-
-  const body = h(
-    "div",
-    { class: "panel-body" },
-    h("div", { class: "heading" }, h("h2", {}, "Media")),
-    media.element,
-    h("div", { class: "rows" }, ...rows.map((r) => r.row.element)),
-    h("div", { class: "choices" }, familyBox, chooser.element, parameters.element, angles.element),
-  );
-  const sheet = createSheet({ pages: rows, body, first: "n_t" });
 
   return {
-    element: sheet.element,
+    element: panel.element,
     stop() {
-      media.stop();
-      for (const { row } of rows) row.stop();
+      panel.stop();
       parameters.stop();
     },
     /**
@@ -114,18 +72,11 @@ export function createControls({ catalog, presets, state, actions, family, descr
      * @param {ReadonlyMap<string, number>} solved what parameters left to the server came out as
      */
     update(now, reasons, solved) {
-      media.update(now);
-      /** @type {Record<string, {value: number, label: string}[]>} */
-      const marks = {
-        n_i: [{ value: now.n_t, label: "equal to n_t" }],
-        n_t: [{ value: now.n_i, label: "equal to n_i" }],
-      };
-      for (const { name, row } of rows) row.update(now[name], marks[name] ?? []);
-      sheet.update();
-      if (document.activeElement !== members) members.value = now.family.join(", ");
+      panel.update(now);
+      members.update(now.family.join(", "));
       parameters.update(now, now.against, solved);
       chooser.update(now.against, reasons);
-      angles.update([now.angle]);
+      choices.update(now);
     },
   };
 }

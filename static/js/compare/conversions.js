@@ -1,98 +1,65 @@
 /** What `/convert` is asked, and how its answers are written. */
 
 import { significant } from "../numbers/format.js";
+import { path } from "../server/questions.js";
 
 /**
  * @typedef {{form: string, title: string, values: Record<string, any>, status: string, why: string}} Result
  * @typedef {{name: string, symbol: string, hint: string}} Input
  */
 
-/** What can be given; the second medium of the page stands first. @type {Record<string, {label: string, inputs: Input[], start: string}>} */
+/** @param {string} label @param {string} start @param {[name: string, symbol: string, hint: string][]} inputs */
+const source = (label, start, ...inputs) => ({
+  label,
+  start,
+  inputs: inputs.map(([name, symbol, hint]) => ({ name, symbol, hint })),
+});
+
+/** What can be given; the second medium of the page stands first. @type {Record<string, {label: string, start: string, inputs: Input[]}>} */
 export const SOURCES = {
-  media: { label: "the second medium above", inputs: [], start: "" },
-  ior: {
-    label: "index of refraction",
-    inputs: [{ name: "n_t", symbol: "n_t", hint: "1.5" }],
-    start: "1.5",
-  },
-  nk: {
-    label: "complex index n, k",
-    inputs: [
-      { name: "n_t", symbol: "n_t", hint: "0.27" },
-      { name: "k_t", symbol: "k_t", hint: "2.9" },
-    ],
-    start: "0.27;2.9",
-  },
-  f0: {
-    label: "F0, linear",
-    inputs: [{ name: "F0", symbol: "F_0", hint: "0.04, or 1, 0.77, 0.34" }],
-    start: "0.04",
-  },
-  f0_srgb: {
-    label: "F0, sRGB",
-    inputs: [{ name: "F0_srgb", symbol: "F_0", hint: "0.22, or 1, 0.89, 0.62" }],
-    start: "0.22",
-  },
-  hex: {
-    label: "a picture's color",
-    inputs: [{ name: "hex", symbol: "F_0", hint: "#ffe29b" }],
-    start: "#ffe29b",
-  },
-  specular: {
-    label: "specular level",
-    inputs: [{ name: "specular", symbol: "", hint: "0.5" }],
-    start: "0.5",
-  },
-  reflectance: {
-    label: "Filament's reflectance",
-    inputs: [{ name: "reflectance", symbol: "", hint: "0.5" }],
-    start: "0.5",
-  },
-  rg: {
-    label: "Gulbrandsen's r, g",
-    inputs: [
-      { name: "r", symbol: "r", hint: "0.9" },
-      { name: "g", symbol: "g", hint: "0.5" },
-    ],
-    start: "0.9;0.5",
-  },
-  dg: {
-    label: "d'Eon's r, G",
-    inputs: [
-      { name: "r", symbol: "r", hint: "0.9" },
-      { name: "G", symbol: "G", hint: "0.5" },
-    ],
-    start: "0.9;0.5",
-  },
+  media: source("the second medium above", ""),
+  ior: source("index of refraction", "1.5", ["n_t", "n_t", "1.5"]),
+  nk: source("complex index n, k", "0.27;2.9", ["n_t", "n_t", "0.27"], ["k_t", "k_t", "2.9"]),
+  f0: source("F0, linear", "0.04", ["F0", "F_0", "0.04, or 1, 0.77, 0.34"]),
+  f0_srgb: source("F0, sRGB", "0.22", ["F0_srgb", "F_0", "0.22, or 1, 0.89, 0.62"]),
+  hex: source("a picture's color", "#ffe29b", ["hex", "F_0", "#ffe29b"]),
+  specular: source("specular level", "0.5", ["specular", "", "0.5"]),
+  reflectance: source("Filament's reflectance", "0.5", ["reflectance", "", "0.5"]),
+  rg: source("Gulbrandsen's r, g", "0.9;0.5", ["r", "r", "0.9"], ["g", "g", "0.5"]),
+  dg: source("d'Eon's r, G", "0.9;0.5", ["r", "r", "0.9"], ["G", "G", "0.5"]),
 };
 /** Values of several boxes stand in the link with this between. */
 export const BETWEEN = ";";
 
-/** The texts of a source's boxes. @param {{from: string, given: string | null}} state @returns {string[]} */
+/** The texts of a source's boxes. @param {State} state @returns {string[]} */
 export function texts({ from, given }) {
-  const source = SOURCES[from];
-  const parts = (given ?? source?.start ?? "").split(BETWEEN);
-  return (source?.inputs ?? []).map((_, i) => (parts[i] ?? "").trim());
+  const { start = "", inputs = [] } = SOURCES[from] ?? {};
+  const parts = (given ?? start).split(BETWEEN);
+  return inputs.map((_, i) => (parts[i] ?? "").trim());
+}
+
+/** @param {State} state @returns {string[]} what is given, as parts of a query */
+function given(state) {
+  const { from, n_t, k_t } = state;
+  if (from === "media")
+    return k_t > 0 ? ["from=nk", `n_t=${n_t}`, `k_t=${k_t}`] : ["from=ior", `n_t=${n_t}`];
+  const values = texts(state).map((text) => text.replace(/\s+/g, "").replace(/^#/, ""));
+  return [
+    `from=${from === "hex" ? "f0_srgb" : from}`,
+    ...(SOURCES[from]?.inputs ?? []).map(
+      ({ name }, i) => `${name}=${encodeURIComponent(values[i] ?? "").replace(/%2C/g, ",")}`,
+    ),
+  ];
 }
 
 /** @param {State} state @returns {string} */
 export function convertPath(state) {
-  const { from, n_i, n_t, k_t, seen_from } = state;
-  const parts =
-    from === "media"
-      ? k_t > 0
-        ? ["from=nk", `n_t=${n_t}`, `k_t=${k_t}`]
-        : ["from=ior", `n_t=${n_t}`]
-      : [
-          `from=${from === "hex" ? "f0_srgb" : from}`,
-          ...(SOURCES[from]?.inputs ?? []).map(({ name }, i) => {
-            const text = (texts(/** @type {any} */ (state))[i] ?? "").replace(/\s+/g, "");
-            return `${name}=${encodeURIComponent(text.replace(/^#/, "")).replace(/%2C/g, ",")}`;
-          }),
-        ];
-  if (n_i !== 1) parts.push(`n_i=${n_i}`);
-  if (seen_from !== null) parts.push(`seen_from=${seen_from}`);
-  return `/convert?${parts.join("&")}`;
+  const { n_i, seen_from } = state;
+  return path("/convert", [
+    ...given(state),
+    n_i !== 1 && `n_i=${n_i}`,
+    seen_from !== null && `seen_from=${seen_from}`,
+  ]);
 }
 
 /** How a value is written: six digits, three of them where there are three. @param {any} value */

@@ -1,208 +1,161 @@
 /** One interface in the words of optics, of artists and of engines, each with what is lost. */
 
+import { createSelect } from "../controls/select.js";
+import { createTyped } from "../controls/typed.js";
 import { plain } from "../numbers/format.js";
-import { h, setText, symbol } from "../page/dom.js";
+import { createChanged } from "../page/changed.js";
+import { h, symbol } from "../page/dom.js";
+import { html, nothing, render } from "../page/lit.js";
+import { sayProblem } from "../page/trouble.js";
+import { declared } from "../server/questions.js";
 import { BETWEEN, filled, printValue, SOURCES, texts } from "./conversions.js";
 
-/**
- * @typedef {import('./conversions.js').Result} Result
- */
+/** @typedef {import('./conversions.js').Result} Result */
 
-/** Symbols of values; what has none is named by its form. @type {Record<string, string>} */
-const SYMBOLS = {
-  n_i: "n_i",
-  n_t: "n_t",
-  k_t: "k_t",
-  F0: "F_0",
-  F0_srgb: "F_0",
-  F82: "F_{82}",
-  r: "r",
-  g: "g",
-  G: "G",
-  tint: "tint",
-};
+/** Symbols of values that are not their names; what has none is named by its form. @type {Record<string, string>} */
+const SYMBOLS = { F0: "F_0", F0_srgb: "F_0", F82: "F_{82}" };
+const NAMED = ["n_i", "n_t", "k_t", "r", "g", "G", "tint"];
+const DESCRIBED = "convert-problem";
+const COLUMNS = ["form", "value", "status", "why", "use"];
 
-/**
- * @param {object} options
- * @param {() => State} options.state
- * @param {Pick<Actions, 'set'>} options.actions
- */
-export function createConvert({ state, actions }) {
+/** @param {string} name @param {any} value */
+function valued(name, value) {
+  const words = printValue(name === "n_i" && Array.isArray(value) ? value[0] : value);
+  const own = NAMED.includes(name) ? name : SYMBOLS[name];
+  const hex = name === "hex" && typeof value === "string";
+  return html`<span class="conversion">${own ? symbol(own) : nothing}${
+    hex ? html`<i class="swatch" aria-hidden="true" style="background: ${value}"></i>` : nothing
+  } ${words}</span>`;
+}
+
+/** @param {ViewContext} context */
+export function createConvert({ catalog, state, actions }) {
   /** @type {Result[]} */
   let results = [];
-  const from = h(
-    "select",
-    {
-      class: "preset",
-      "aria-label": "What is given",
-      onchange: () => actions.set({ from: from.value, given: filled(from.value, results) }),
+  const from = createSelect(
+    "What is given",
+    (value) => actions.set({ from: value, given: filled(value, results) }),
+    Object.fromEntries(Object.entries(SOURCES).map(([value, { label }]) => [value, label])),
+  );
+  const boxes = [0, 1].map(() =>
+    createTyped({
+      attributes: { class: "box given", "aria-describedby": DESCRIBED },
+      parse: String,
+      onChange() {
+        const many = SOURCES[state().from]?.inputs.length;
+        const written = boxes.slice(0, many).map(({ box }) => box.value.trim());
+        actions.set({ given: written.join(BETWEEN) });
+      },
+    }),
+  );
+  const { minimum, maximum } = declared(catalog.parameters, "n_i");
+  const seen = createTyped({
+    attributes: {
+      class: "box bound",
+      "aria-label": "Index of the other medium that F0 is seen from",
+      "aria-describedby": DESCRIBED,
     },
-    ...Object.entries(SOURCES).map(([value, { label }]) => h("option", { value }, label)),
-  );
-  const boxes = [0, 1].map((i) => {
-    const box = h("input", {
-      class: "box given",
-      type: "text",
-      autocomplete: "off",
-      spellcheck: "false",
-      "aria-describedby": "convert-problem",
-      onchange: commit,
-    });
-    const name = h("span", { class: "given-name" });
-    return { i, box, name, label: h("label", { class: "given-label" }, name, box) };
+    parse(text) {
+      const value = text === "" ? null : Number(text);
+      if (value === null || (value >= minimum && value <= maximum)) return value;
+      throw new Error(`allowed is ${plain(minimum)} to ${plain(maximum)}`);
+    },
+    onChange: (value) => actions.set({ seen_from: value }),
   });
-  const color = h("input", {
-    type: "color",
-    class: "color",
-    "aria-label": "Color of the picture",
-    onchange: () => actions.set({ given: color.value }),
-  });
-  const seen = h("input", {
-    class: "box bound",
-    type: "text",
-    autocomplete: "off",
-    spellcheck: "false",
-    "aria-label": "Index of the other medium that F0 is seen from",
-    "aria-describedby": "convert-problem",
-  });
-  seen.addEventListener("change", () => {
-    const value = Number(seen.value);
-    const fine = seen.value.trim() !== "" && value >= 1e-3 && value <= 100;
-    seen.toggleAttribute("aria-invalid", !fine && seen.value.trim() !== "");
-    if (fine || seen.value.trim() === "") actions.set({ seen_from: fine ? value : null });
-  });
-  const problemBox = h("p", { class: "row-error", id: "convert-problem", role: "alert" });
-  const body = h("tbody", {});
-  const table = h(
-    "table",
-    { class: "conversions" },
-    h("caption", { class: "hidden" }, "The same surface in other words"),
-    h(
-      "thead",
-      { class: "hidden" },
-      h(
-        "tr",
-        {},
-        ...["form", "value", "status", "why", "use"].map((t) => h("th", { scope: "col" }, t)),
-      ),
-    ),
-    body,
-  );
-  const element = h(
-    "section",
-    { class: "column convert", "aria-label": "Conversions" },
-    h("div", { class: "heading" }, h("h2", {}, "Conversions")),
-    h(
-      "div",
-      { class: "convert-from" },
-      h("span", { class: "picker" }, from),
-      ...boxes.map((b) => b.label),
-      color,
-      h(
-        "label",
-        { class: "given-label seen" },
-        h("span", {}, "also seen from ", symbol("n"), " ="),
-        seen,
-      ),
-    ),
-    problemBox,
-    table,
-  );
+  const element = h("section", { class: "column convert", "aria-label": "Conversions" });
 
-  function commit() {
-    const { from: now } = state();
-    const count = SOURCES[now]?.inputs.length ?? 0;
-    actions.set({
-      given: boxes
-        .slice(0, count)
-        .map(({ box }) => box.value.trim())
-        .join(BETWEEN),
-    });
-  }
-
-  /** @param {Result} result */
-  function line({ form, title, values, status, why }) {
-    const entries = Object.entries(values).filter(([name]) => form !== "f0_hex" || name === "hex");
-    const shown = entries.map(([name, value]) =>
-      h(
-        "span",
-        { class: "conversion" },
-        SYMBOLS[name] ? symbol(SYMBOLS[name] ?? "") : null,
-        name === "hex" && typeof value === "string" ? swatch(value) : null,
-        ` ${printValue(name === "n_i" && Array.isArray(value) ? value[0] : value)}`,
-      ),
-    );
+  /** @param {Result} result @param {boolean} own whether the media are what is given */
+  function line({ form, title, values, status, why }, own) {
     const { n_t, k_t = 0 } = values;
     const usable =
-      (form === "nk" || form === "ior") && typeof n_t === "number" && typeof k_t === "number";
-    const use = h(
-      "button",
-      {
-        type: "button",
-        class: "quiet",
-        onclick: () =>
-          actions.set({
-            n_t: Math.max(1e-3, Number(n_t.toPrecision(12))),
-            k_t: Number(k_t.toPrecision(12)),
-            material: null,
-          }),
-      },
-      "use",
-    );
-    use.setAttribute("aria-label", `Use ${title} as the second medium`);
-    return h(
-      "tr",
-      { "data-status": status },
-      h("th", { scope: "row" }, title),
-      h("td", { class: "converted" }, ...shown),
-      h("td", { class: "status-cell" }, h("span", { class: "status" }, status)),
-      h("td", { class: "why" }, why),
-      h("td", { class: "use" }, usable && state().from !== "media" ? use : null),
-    );
+      !own &&
+      (form === "nk" || form === "ior") &&
+      typeof n_t === "number" &&
+      typeof k_t === "number";
+    const use = () =>
+      actions.set({
+        n_t: Math.max(minimum, Number(n_t.toPrecision(12))),
+        k_t: Number(k_t.toPrecision(12)),
+        material: null,
+      });
+    return html`<tr data-status=${status}>
+      <th scope="row">${title}</th>
+      <td class="converted">${Object.entries(values)
+        .filter(([name]) => form !== "f0_hex" || name === "hex")
+        .map(([name, value]) => valued(name, value))}</td>
+      <td class="status-cell"><span class="status">${status}</span></td>
+      <td class="why">${why}</td>
+      <td class="use">${
+        usable
+          ? html`<button
+              type="button"
+              class="quiet"
+              aria-label="Use ${title} as the second medium"
+              @click=${use}
+            >use</button>`
+          : nothing
+      }</td>
+    </tr>`;
   }
 
-  /** @param {string} hex */
-  function swatch(hex) {
-    const chip = h("i", { class: "swatch", "aria-hidden": "true" });
-    chip.style.background = hex;
-    return chip;
+  /** The boxes of what is given. @param {State} now @param {boolean} wrong */
+  function given(now, wrong) {
+    const { label = "", inputs = [] } = SOURCES[now.from] ?? {};
+    const values = texts(now);
+    return inputs.map((input, i) => {
+      const { box, update } = /** @type {(typeof boxes)[0]} */ (boxes[i]);
+      box.placeholder = input.hint;
+      box.ariaLabel = `${label}, ${input.name}`;
+      box.ariaInvalid = wrong ? "true" : null;
+      update(values[i] ?? "");
+      const name = input.symbol ? symbol(input.symbol) : nothing;
+      return html`<label class="given-label"><span class="given-name">${name}</span>${box}</label>`;
+    });
   }
 
-  /** @type {unknown} */
-  let last = null;
-  let look = "";
+  /** @type {ReturnType<typeof line>[]} */
+  let lines = [];
+  let color = "000000";
+  const changed = createChanged();
   return {
     element,
-    /** @param {State} now @param {any} answer @param {{title: string, lines: string[]} | undefined} problem */
+    /** @param {State} now @param {any} answer @param {import('../page/trouble.js').Problem | undefined} problem */
     update(now, answer, problem) {
-      from.value = now.from;
-      const inputs = SOURCES[now.from]?.inputs ?? [];
-      const values = texts(/** @type {any} */ (now));
-      for (const { i, box, name, label } of boxes) {
-        const input = inputs[i];
-        label.hidden = !input;
-        if (!input) continue;
-        if (name.dataset.symbol !== input.symbol) {
-          name.dataset.symbol = input.symbol;
-          name.replaceChildren(input.symbol ? symbol(input.symbol) : "");
-        }
-        box.placeholder = input.hint;
-        box.setAttribute("aria-label", `${SOURCES[now.from]?.label}, ${input.name}`);
-        box.toggleAttribute("aria-invalid", problem !== undefined);
-        if (document.activeElement !== box) box.value = values[i] ?? "";
+      if (answer && changed(answer, now.from)) {
+        results = answer.results;
+        lines = results.map((result) => line(result, now.from === "media"));
       }
-      color.hidden = now.from !== "hex";
-      if (now.from === "hex" && /^#?[0-9a-f]{6}$/i.test(values[0] ?? ""))
-        color.value = `#${(values[0] ?? "").replace("#", "").toLowerCase()}`;
-      if (document.activeElement !== seen)
-        seen.value = plain(now.seen_from ?? answer?.seen_from ?? 1);
-      setText(problemBox, problem ? problem.lines.join(" · ") || problem.title : "");
-      table.toggleAttribute("data-stale", problem !== undefined);
-      if (!answer || (answer === last && look === now.from)) return;
-      last = answer;
-      look = now.from;
-      results = answer.results;
-      body.replaceChildren(...results.map(line));
+      from.update(now.from);
+      seen.update(plain(now.seen_from ?? answer?.seen_from ?? 1));
+      const [first = ""] = texts(now);
+      color = /^#?([0-9a-f]{6})$/i.exec(first)?.[1]?.toLowerCase() ?? color;
+      render(
+        html`<div class="heading"><h2>Conversions</h2></div>
+          <div class="convert-from">
+            ${from.element}${given(now, problem !== undefined)}
+            ${
+              now.from === "hex"
+                ? html`<input
+                    type="color"
+                    class="color"
+                    aria-label="Color of the picture"
+                    .value="#${color}"
+                    @change=${(/** @type {any} */ event) => actions.set({ given: event.target.value })}
+                  />`
+                : nothing
+            }
+            <label class="given-label seen"><span>also seen from <var class="symbol">n</var> =</span>${seen.box}</label>
+          </div>
+          <p class="row-error" id=${DESCRIBED} role="alert">${sayProblem(problem)}</p>
+          <table class="conversions" ?data-stale=${problem !== undefined}>
+            <caption class="hidden">The same surface in other words</caption>
+            <thead class="hidden">
+              <tr>${COLUMNS.map((text) => html`<th scope="col">${text}</th>`)}</tr>
+            </thead>
+            <tbody>${lines}</tbody>
+          </table>`,
+        element,
+      );
     },
   };
 }

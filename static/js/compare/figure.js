@@ -1,31 +1,34 @@
 /** The error over the media: against n or k for every model, or as a map of one. */
 
 import { createChoice } from "../controls/panel.js";
-import { locate, read } from "../curves/reading.js";
-import { mapOf, sweepOf } from "../errors/answers.js";
-import { short } from "../errors/metrics.js";
+import { createSelect } from "../controls/select.js";
+import { createEnds } from "../controls/typed.js";
+import { ends, locate, read } from "../curves/reading.js";
+import { angleAxis } from "../curves/traces.js";
+import { METRICS, short } from "../errors/metrics.js";
 import { modelStyle, shortTitle } from "../models/look.js";
-import { evaluate } from "../numbers/entry.js";
-import { inDegrees, inUnit, percent, plain } from "../numbers/format.js";
+import { inDegrees, inUnit, percent } from "../numbers/format.js";
+import { createChanged } from "../page/changed.js";
 import { h, setText } from "../page/dom.js";
 import { createDataTables, createExports } from "../page/exports.js";
+import { html, render } from "../page/lit.js";
 import { createHeatmap } from "../plot/heatmap.js";
 import { createPlot } from "../plot/plot.js";
-import { focused, isMap, isPointwise, ranges } from "./fields.js";
-import { hasTriple, held } from "./queries.js";
+import { declared } from "../server/questions.js";
+import { FIGURES, figureOf, focused, ranges } from "./fields.js";
+import { hasTriple } from "./queries.js";
 
-/** @type {Record<string, string>} */
-export const METRICS = {
-  max_abs: "largest error",
-  rms: "RMS error",
-  cosine_weighted_mean: "cosine-weighted mean",
-  max_relative: "largest relative error",
-};
 /** @type {Record<string, string>} */
 const POINTS = { error: "signed error", absolute: "absolute error", relative: "relative error" };
-const N_AXIS = { title: "second index n_t", short: "n", column: "n_t" };
-const K_AXIS = { title: "extinction k_t", short: "k", column: "k_t" };
-
+/** What an error is called. @type {Record<string, string>} */
+const NAMES = { ...METRICS, ...POINTS };
+const SIGNED = ["error", "relative", "cosine_weighted_mean"];
+/** @type {Record<string, {title: string, short: string, column: string}>} */
+const AXES = {
+  n_t: { title: "second index n_t", short: "n", column: "n_t" },
+  k_t: { title: "extinction k_t", short: "k", column: "k_t" },
+};
+const STEPS = { step: 0.01, fine: 0.001, page: 0.1 };
 const ONE_CHANNEL = "This figure shows one channel: give one number for R, G and B.";
 
 /** @param {string} name of a metric or a point's error */
@@ -33,102 +36,49 @@ const isRelative = (name) => name === "relative" || name === "max_relative";
 /** @param {number | null} x */
 const share = (x) => (x === null ? "undefined" : Math.abs(x) < 5e-4 ? short(x) : percent(x));
 
-/**
- * @param {object} options
- * @param {HTMLElement} options.parent in the document, because plots read colours and sizes from it
- * @param {Catalog} options.catalog
- * @param {Actions} options.actions
- * @param {(name: string, blob: Blob) => void} options.save
- */
-export function createFigure({ parent, catalog, actions, save }) {
+/** @param {ViewContext} context */
+export function createFigure({ element: parent, catalog, actions, save }) {
+  const { models, parameters } = catalog;
+  /** @type {State | null} */
+  let now = null;
+  const shown = () => (now && figureOf(now).isMap ? map : plot);
+  /** @param {string} id */
+  const titleOf = (id) => models.find((m) => m.id === id)?.title ?? id;
+
   const over = createChoice({
     legend: "Error over",
-    items: [
-      { value: "n", label: "n" },
-      { value: "k", label: "k" },
-      { value: "theta-n", label: "θ × n" },
-      { value: "n-k", label: "n × k" },
-    ],
+    items: Object.entries(FIGURES).map(([value, { label }]) => ({ value, label })),
     onChange: ([value]) =>
       actions.set({ over: value, n_low: null, n_high: null, k_low: null, k_high: null }),
   });
   over.element.classList.add("unnamed");
-  /** @param {string} name @param {Record<string, string>} labels @param {string} label */
-  const select = (name, labels, label) =>
-    h(
-      "select",
-      {
-        class: "preset",
-        "aria-label": label,
-        onchange: (/** @type {Event} */ event) =>
-          actions.set({ [name]: /** @type {HTMLSelectElement} */ (event.target).value }),
-      },
-      ...Object.entries(labels).map(([value, text]) => h("option", { value }, text)),
-    );
-  const metric = select("metric", METRICS, "Measure of the error");
-  const point = select("point", POINTS, "Error shown");
-  const focus = h("select", {
-    class: "preset",
-    "aria-label": "Model of the map",
-    onchange: () => actions.set({ focus: focus.value }),
-  });
-  const pickers = [metric, point, focus].map((one) => h("span", { class: "picker" }, one));
-
+  const metric = createSelect(
+    "Measure of the error",
+    (name) => actions.set({ metric: name }),
+    METRICS,
+  );
+  const point = createSelect("Error shown", (name) => actions.set({ point: name }), POINTS);
+  const focus = createSelect("Model of the map", (id) => actions.set({ focus: id }));
   const wrong = h("p", { class: "row-error", role: "alert" });
-  /** @param {string} name @param {string} label */
-  const bound = (name, label) => {
-    const box = h("input", {
-      class: "box bound",
-      type: "text",
-      autocomplete: "off",
-      spellcheck: "false",
-      "aria-label": label,
+  /** @param {"n" | "k"} letter */
+  const endsOf = (letter) =>
+    createEnds({
+      letter,
+      names: [`${letter}_low`, `${letter}_high`],
+      onChange: actions.set,
+      bounds: declared(parameters, `${letter}_t`),
+      wrong,
     });
-    box.addEventListener("change", () => {
-      const text = box.value.trim();
-      try {
-        const declared = catalog.parameters.find((p) => p.name === `${name[0]}_t`);
-        const value = text === "" ? null : evaluate(text);
-        if (value !== null && declared && (value < declared.minimum || value > declared.maximum))
-          throw new Error(`allowed is ${plain(declared.minimum)} to ${plain(declared.maximum)}`);
-        setText(wrong, "");
-        actions.set({ [name]: value });
-      } catch (problem) {
-        setText(
-          wrong,
-          `${label}, “${text}”: ${problem instanceof Error ? problem.message : problem}`,
-        );
-      }
-    });
-    return { name, box };
+  const bounds = { n_t: endsOf("n"), k_t: endsOf("k") };
+  const hosts = {
+    sweep: h("div", { class: "figure-host" }),
+    map: h("div", { class: "figure-host", hidden: true }),
   };
-  const bounds = [
-    bound("n_low", "n from"),
-    bound("n_high", "n to"),
-    bound("k_low", "k from"),
-    bound("k_high", "k to"),
-  ];
-  /** @param {string} letter @param {number} first */
-  const span = (letter, first) =>
-    h(
-      "span",
-      { class: "span" },
-      h("var", { class: "symbol" }, letter),
-      bounds[first]?.box,
-      "to",
-      bounds[first + 1]?.box,
-    );
-  const spans = [span("n", 0), span("k", 2)];
-
-  const sweepHost = h("div", { class: "figure-host" });
-  const mapHost = h("div", { class: "figure-host", hidden: true });
   const waiting = h("p", { class: "figure-note" });
+  const hint = h("p", { class: "hint" });
   const tables = createDataTables("This figure as a table", {
     "Table of the error over the media": () => (now ? [shown().table()] : []),
   });
-  /** @type {State | null} */
-  let now = null;
-  const shown = () => (now && isMap(now.over) ? map : plot);
   const exports = createExports({
     what: "the figure of the error",
     name: () => `fresnel-error-${now?.over ?? "n"}`,
@@ -136,151 +86,126 @@ export function createFigure({ parent, catalog, actions, save }) {
     print: {
       figures: () => [shown()],
       call: "/errors/",
-      behind: () => ({ state: now, indices: now ? held(now) : [] }),
+      behind: () => ({ state: now, indices: now ? figureOf(now).held : [] }),
     },
     save,
   });
-  const hint = h("p", { class: "hint" });
-  const element = h(
-    "section",
-    { class: "column figure", "aria-label": "Error over the media" },
-    h("div", { class: "heading" }, h("h2", {}, "Error over the media"), exports),
-    h("div", { class: "figure-controls" }, over.element, ...pickers),
-    h("div", { class: "figure-area" }, sweepHost, mapHost, waiting),
-    h("div", { class: "figure-foot" }, ...spans, hint),
-    wrong,
-    tables.element,
+  const element = h("section", { class: "column figure", "aria-label": "Error over the media" });
+  render(
+    html`<div class="heading"><h2>Error over the media</h2>${exports}</div>
+      <div class="figure-controls">
+        ${over.element}${metric.element}${point.element}${focus.element}
+      </div>
+      <div class="figure-area">${hosts.sweep}${hosts.map}${waiting}</div>
+      <div class="figure-foot">${bounds.n_t.element}${bounds.k_t.element}${hint}</div>
+      ${wrong}${tables.element}`,
+    element,
   );
   parent.append(element);
 
-  /** The medium's index that a figure's axis stands for; a click makes it one's own. @param {State} patch @param {boolean} settled */
-  function go(patch, settled) {
-    actions.set({ ...patch, material: null }, { history: settled ? "push" : "replace" });
-  }
-  const plot = createPlot(sweepHost, {
+  // A click makes the medium one's own.
+  const plot = createPlot(hosts.sweep, {
     name: "Largest error against n",
-    x: { ...N_AXIS, range: [1, 4] },
+    x: { .../** @type {any} */ (AXES.n_t), range: [1, 4] },
     y: { title: "error", range: null },
     filename: "fresnel-error",
     onPick(x, { settled }) {
       const name = now?.over === "k" ? "k_t" : "n_t";
-      go({ [name]: Number(x.toPrecision(4)) }, false);
+      actions.set({ [name]: Number(x.toPrecision(4)), material: null }, { history: "replace" });
       if (settled) actions.settle();
     },
   });
-  const map = createHeatmap(mapHost, {
+  const map = createHeatmap(hosts.map, {
     name: "Map of the error",
     x: { title: "", range: [0, 90] },
     y: { title: "", range: [0, 1] },
     z: { title: "", kind: "size", print: short },
-    onPick(x, y) {
-      if (now?.over === "theta-n") go({ theta_i_deg: inDegrees(x, now.angle), n_t: y }, true);
-      else go({ n_t: x, k_t: y }, true);
-    },
+    onPick: (x, y) =>
+      actions.set({
+        ...(now?.over === "theta-n"
+          ? { theta_i_deg: inDegrees(x, now.angle), n_t: y }
+          : { n_t: x, k_t: y }),
+        material: null,
+      }),
   });
-
-  let drawn = "";
-  /** @type {unknown[]} the answers that are drawn */
-  let sources = [];
-  /** @param {string} look @param {unknown[]} answers */
-  function isDrawn(look, answers) {
-    const same =
-      look === drawn &&
-      answers.length === sources.length &&
-      answers.every((a, i) => a === sources[i]);
-    drawn = look;
-    sources = answers;
-    return same;
-  }
+  const changed = createChanged();
 
   /** @param {State} state @param {Record<string, any>} answers */
   function drawSweep(state, answers) {
-    const name = state.over === "k" ? "k_t" : "n_t";
-    const range = ranges(state)[state.over === "k" ? "k" : "n"];
-    const given = state.against
-      .filter((/** @type {string} */ id) => !hasTriple(state, id))
+    const { x: name } = figureOf(state);
+    const single = state.against.filter((/** @type {string} */ id) => !hasTriple(state, id));
+    const sweeps = single
       .map((/** @type {string} */ id) => answers[`sweep:${id}`])
-      .filter((/** @type {any} */ answer) => answer && answer.over === name);
-    const sweeps = given.map(sweepOf);
+      .filter((/** @type {any} */ answer) => answer?.over === name);
     const relative = isRelative(state.metric);
-    const traces = sweeps.map(
-      (/** @type {import('../errors/answers.js').Sweep} */ { model, x, metrics }) => ({
-        id: model,
-        label: shortTitle(catalog.models.find((m) => m.id === model)?.title ?? model),
-        x,
-        y: (metrics[state.metric] ?? []).map((v) => (v !== null && relative ? 100 * v : v)),
-        width: 1.9,
-        unit: relative ? " %" : undefined,
-        ...modelStyle(catalog.models, model),
-      }),
-    );
-    waiting.hidden = traces.length > 0;
+    /** @type {Trace[]} */
+    const traces = sweeps.map((/** @type {any} */ sweep) => ({
+      id: sweep.model,
+      label: shortTitle(titleOf(sweep.model)),
+      x: sweep.values,
+      y: sweep[state.metric].map((/** @type {number | null} */ v) =>
+        v !== null && relative ? 100 * v : v,
+      ),
+      width: 1.9,
+      unit: relative ? " %" : undefined,
+      ...modelStyle(models, sweep.model),
+    }));
+    const empty = traces.length === 0;
+    waiting.hidden = !empty;
+    hosts.sweep.toggleAttribute("data-empty", empty);
     const chosen = state.against.length > 0;
-    const split = chosen && state.against.every((/** @type {string} */ id) => hasTriple(state, id));
+    const split = chosen && single.length === 0;
     setText(waiting, split ? ONE_CHANNEL : chosen ? "…" : "Choose a model to see its error here.");
-    sweepHost.toggleAttribute("data-empty", traces.length === 0);
-    if (traces.length === 0) return;
-    const look = JSON.stringify([name, state.metric, range]);
-    const axis = state.over === "k" ? K_AXIS : N_AXIS;
-    const current = catalog.parameters.find((p) => p.name === name);
-    if (!isDrawn(look, given)) {
+    if (empty) return;
+    const range = ranges(state)[/** @type {"n_t" | "k_t"} */ (name)];
+    if (changed(JSON.stringify([name, state.metric, range]), ...sweeps)) {
+      const axis = /** @type {typeof AXES.n_t} */ (AXES[name]);
       plot.axes({
-        name: `${METRICS[state.metric]} against ${axis.short}`,
-        x: { ...axis, range, steps: { step: 0.01, fine: 0.001, page: 0.1 } },
-        y: { title: `${METRICS[state.metric]}${relative ? " (%)" : ""}`, range: null },
+        name: `${NAMES[state.metric]} against ${axis?.short}`,
+        x: { ...axis, range, steps: STEPS },
+        y: { title: `${NAMES[state.metric]}${relative ? " (%)" : ""}`, range: null },
       });
       void plot.draw(traces);
       tables.fill();
     }
-    const x = state[current?.name ?? name];
+    const x = state[name];
     plot.marker(
       x,
-      traces.map((/** @type {{id: string, x: number[], y: (number | null)[]}} */ t) => ({
-        id: t.id,
-        y: read(t.y, locate(t.x, x)),
-      })),
+      traces.map((t) => ({ id: t.id, y: read(t.y, locate(t.x, x)) })),
     );
   }
 
   /** @param {State} state @param {any} answer */
   function drawMap(state, answer) {
-    const pointwise = isPointwise(state.over);
+    const { x, y = "", pointwise } = figureOf(state);
     const wanted = pointwise ? state.point : state.metric;
     const split = hasTriple(state, focused(state));
     waiting.hidden = Boolean(answer) && !split;
-    mapHost.toggleAttribute("data-empty", split || !answer);
+    hosts.map.toggleAttribute("data-empty", split || !answer);
     setText(waiting, split ? ONE_CHANNEL : "…");
     if (!answer || split) return;
-    const look = JSON.stringify([state.over, wanted, state.angle, state.budget, state.within]);
-    const grid = mapOf(answer);
+    const look = [state.over, wanted, state.angle, state.budget, state.within];
     // A map of another kind may be on its way.
-    const fits = grid.metric === wanted && grid.pointwise === pointwise;
-    if (fits && !isDrawn(look, [answer])) {
+    const fits = answer.metric === wanted && answer.x.name === x;
+    if (fits && changed(JSON.stringify(look), answer)) {
       const relative = isRelative(wanted);
-      const title = catalog.models.find((m) => m.id === grid.model)?.title ?? grid.model;
-      const what = pointwise ? POINTS[wanted] : METRICS[wanted];
-      const signed =
-        wanted === "error" || wanted === "relative" || wanted === "cosine_weighted_mean";
-      const rad = state.angle === "rad";
-      const x = pointwise
-        ? {
-            title: `angle of incidence θᵢ (${rad ? "rad" : "degrees"})`,
-            short: "θᵢ",
-            column: rad ? "theta_i" : "theta_i_deg",
-            unit: rad ? " rad" : "°",
-            range: [0, inUnit(90, state.angle)],
-          }
-        : { ...N_AXIS, range: ends(grid.x) };
+      const { values } = answer.x;
       void map.draw(
-        { ...grid, x: pointwise ? grid.x.map((d) => inUnit(d, state.angle)) : grid.x },
         {
-          name: `${title}: ${what}`,
-          ids: [grid.model],
-          x,
-          y: pointwise ? { ...N_AXIS, range: ends(grid.y) } : { ...K_AXIS, range: ends(grid.y) },
+          x: pointwise ? values.map((/** @type {number} */ d) => inUnit(d, state.angle)) : values,
+          y: answer.y.values,
+          z: answer.values,
+        },
+        {
+          name: `${titleOf(answer.model)}: ${NAMES[wanted]}`,
+          ids: [answer.model],
+          x: pointwise
+            ? { ...angleAxis(state), ticks: undefined, short: "θᵢ" }
+            : { .../** @type {any} */ (AXES[x]), range: ends(values) },
+          y: { .../** @type {any} */ (AXES[y]), range: ends(answer.y.values) },
           z: {
-            title: what ?? "",
-            kind: signed ? "signed" : "size",
+            title: NAMES[wanted] ?? "",
+            kind: SIGNED.includes(wanted) ? "signed" : "size",
             print: relative ? share : short,
             level: relative || (!pointwise && wanted !== state.within) ? null : state.budget,
           },
@@ -296,39 +221,27 @@ export function createFigure({ parent, catalog, actions, save }) {
     /** @param {State} state @param {Record<string, any>} answers */
     update(state, answers) {
       now = state;
+      const { x, y, isMap, pointwise } = figureOf(state);
       over.update([state.over]);
-      const pointwise = isPointwise(state.over);
-      const asMap = isMap(state.over);
-      metric.value = state.metric;
-      point.value = state.point;
+      metric.update(state.metric);
+      point.update(state.point);
       const ids = state.against.length ? state.against : [focused(state)];
-      if (focus.dataset.ids !== ids.join()) {
-        focus.dataset.ids = ids.join();
-        focus.replaceChildren(
-          ...ids.map((/** @type {string} */ id) =>
-            h("option", { value: id }, catalog.models.find((m) => m.id === id)?.title ?? id),
-          ),
-        );
-      }
-      focus.value = focused(state);
-      const shown = [!pointwise, pointwise, asMap];
-      pickers.forEach((p, i) => {
-        p.hidden = !shown[i];
-      });
+      focus.update(
+        focused(state),
+        Object.fromEntries(ids.map((/** @type {string} */ id) => [id, titleOf(id)])),
+      );
+      metric.element.hidden = pointwise;
+      point.element.hidden = !pointwise;
+      focus.element.hidden = !isMap;
       const automatic = ranges(state);
-      for (const { name, box } of bounds) {
-        const value = automatic[name.startsWith("n") ? "n" : "k"][name.endsWith("low") ? 0 : 1];
-        if (document.activeElement !== box) box.value = plain(value);
+      for (const name of /** @type {const} */ (["n_t", "k_t"])) {
+        bounds[name].update(automatic[name]);
+        bounds[name].element.hidden = name !== x && name !== y;
       }
-      const [nSpan, kSpan] = spans;
-      if (nSpan) nSpan.hidden = state.over === "k";
-      if (kSpan) kSpan.hidden = state.over !== "k" && state.over !== "n-k";
-      setText(hint, asMap ? "Click to go there." : "Click or drag to go there.");
-      const changed = sweepHost.hidden !== asMap;
-      sweepHost.hidden = asMap;
-      mapHost.hidden = !asMap;
-      if (changed) drawn = "";
-      if (asMap) drawMap(state, answers.map);
+      setText(hint, isMap ? "Click to go there." : "Click or drag to go there.");
+      hosts.sweep.hidden = isMap;
+      hosts.map.hidden = !isMap;
+      if (isMap) drawMap(state, answers.map);
       else drawSweep(state, answers);
     },
     theme() {
@@ -340,9 +253,4 @@ export function createFigure({ parent, catalog, actions, save }) {
       map.destroy();
     },
   };
-}
-
-/** @param {readonly number[]} values @returns {[number, number]} */
-function ends(values) {
-  return [values[0] ?? 0, values.at(-1) ?? 1];
 }

@@ -34,7 +34,7 @@ export function createChoice({ legend, items, several = false, listed = false, o
   );
   return {
     element,
-    /** @param {string[]} values @param {Map<string, string>} [reasons] why an item does not apply here */
+    /** @param {readonly string[]} values @param {ReadonlyMap<string, string>} [reasons] why an item does not apply here */
     update(values, reasons) {
       inputs.forEach((input, i) => {
         input.checked = values.includes(input.value);

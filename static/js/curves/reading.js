@@ -137,3 +137,8 @@ export function read(values, { index, fraction }) {
   const next = values[index + 1] ?? null;
   return next === null ? null : here + fraction * (next - here);
 }
+
+/** @param {readonly number[]} values @returns {[number, number]} the ends of an axis that holds them */
+export function ends(values) {
+  return [values[0] ?? 0, values.at(-1) ?? 1];
+}

@@ -83,21 +83,27 @@ const TWELFTHS = ["0", "π/12", "π/6", "π/4", "π/3", "5π/12", "π/2"];
 const PHASES = [-180, -90, 0, 90, 180];
 const HALVES = ["−π", "−π/2", "0", "π/2", "π"];
 
+/** The axis of the angles of incidence. @param {{angle: 'deg' | 'rad'} | State} shown */
+export function angleAxis({ angle }) {
+  const rad = angle === "rad";
+  return {
+    title: `angle of incidence θᵢ (${rad ? "rad" : "degrees"})`,
+    range: /** @type {[number, number]} */ ([0, inUnit(90, angle)]),
+    ticks: {
+      values: DEGREES.map((d) => inUnit(d, angle)),
+      text: rad ? TWELFTHS : DEGREES.map((d) => `${d}°`),
+    },
+    unit: rad ? " rad" : "°",
+    column: rad ? "theta_i_rad" : "theta_i_deg",
+  };
+}
+
 /** @param {Shown} shown */
 export function axesOf(shown) {
   const rad = shown.angle === "rad";
   return {
     name: "Reflectance against the angle of incidence",
-    x: {
-      title: `angle of incidence θᵢ (${rad ? "rad" : "degrees"})`,
-      range: /** @type {[number, number]} */ ([0, inUnit(90, shown.angle)]),
-      ticks: {
-        values: DEGREES.map((d) => inUnit(d, shown.angle)),
-        text: rad ? TWELFTHS : DEGREES.map((d) => `${d}°`),
-      },
-      unit: rad ? " rad" : "°",
-      column: rad ? "theta_i_rad" : "theta_i_deg",
-    },
+    x: angleAxis(shown),
     y: {
       title: shown.show.includes("T") ? "reflectance, transmittance" : "reflectance",
       range: /** @type {[number, number]} */ ([0, 1]),

@@ -6,6 +6,7 @@ import { byColumn } from "../numbers/sorted.js";
 /**
  * @typedef {object} Row the measured errors of one model
  * @property {string} model
+ * @property {string} title
  * @property {string} quantity R, or one of R_red, R_green, R_blue
  * @property {boolean} in_domain
  * @property {string | null} reason
@@ -16,8 +17,8 @@ import { byColumn } from "../numbers/sorted.js";
  * @property {number | null} max_relative
  * @property {Record<string, number | null>} parameters given or solved
  *
- * @typedef {{unit: 'deg' | 'rad', titles: ReadonlyMap<string, string>, costs: ReadonlyMap<string, Cost>,
- *   prices: ReadonlyMap<string, number>}} Setting `prices` are the server's weighted costs
+ * @typedef {{unit: 'deg' | 'rad', costs: ReadonlyMap<string, Cost>, prices: ReadonlyMap<string, number>}} Setting
+ *   `prices` are the server's weighted costs
  * @typedef {Record<string, number>} Cost
  *
  * @typedef {object} Column
@@ -28,18 +29,22 @@ import { byColumn } from "../numbers/sorted.js";
  * @property {(row: Row, setting: Setting) => string} print
  */
 
-const DIGITS = 3;
+/** What an error over all angles may be measured by. */
+export const METRICS = {
+  max_abs: "largest error",
+  rms: "RMS error",
+  cosine_weighted_mean: "cosine-weighted mean",
+  max_relative: "largest relative error",
+};
 
 /** An error as a short number: three digits, none of them an invention. @param {number | null | undefined} x */
 export function short(x) {
   if (x === null || x === undefined || !Number.isFinite(x)) return "none";
   const size = Math.abs(x);
   if (size !== 0 && size < 5e-7) return significant(x, 2);
-  if (size >= 1e-4 && size < 10) {
-    const text = significant(Number(x.toPrecision(DIGITS)), DIGITS);
-    return text;
-  }
-  return significant(x, DIGITS);
+  // What rounds to 1 is written as 1, without digits that it does not have.
+  const rounded = size >= 1e-4 && size < 10 ? Number(x.toPrecision(3)) : x;
+  return significant(rounded, 3);
 }
 
 /** @param {number | null} x */
@@ -65,73 +70,52 @@ const OPERATIONS = /** @type {const} */ ([
 
 /** @param {Cost | undefined} cost such as "4× 2+" */
 export function printCost(cost) {
-  const parts = OPERATIONS.flatMap(([name, sign]) => {
-    const count = cost?.[name] ?? 0;
-    return count === 0 ? [] : [sign.length > 1 ? `${count}\u00a0${sign}` : `${count}${sign}`];
-  });
+  const parts = OPERATIONS.filter(([name]) => cost?.[name]).map(
+    ([name, sign]) => `${cost?.[name]}${sign.length > 1 ? "\u00a0" : ""}${sign}`,
+  );
   return parts.join(" ") || "0";
 }
 
 /** @param {Cost | undefined} cost for those who hear it */
 export function sayCost(cost) {
-  return (
-    Object.entries(cost ?? {})
-      .filter(([, count]) => count > 0)
-      .map(([name, count]) => `${count} ${name}`)
-      .join(", ") || "nothing"
-  );
+  const parts = Object.entries(cost ?? {}).filter(([, count]) => count > 0);
+  return parts.map(([name, count]) => `${count} ${name}`).join(", ") || "nothing";
 }
+
+/**
+ * @param {keyof Row} name
+ * @param {string} heading
+ * @param {string} note
+ * @param {Column["print"]} [print]
+ * @returns {Column}
+ */
+const measured = (name, heading, note, print) => {
+  const value = (/** @type {Row} */ row) => /** @type {number | null} */ (row[name]);
+  return { name, heading, note, value, print: print ?? ((row) => short(value(row))) };
+};
 
 /** @type {Column[]} */
 export const COLUMNS = [
-  {
-    name: "model",
-    heading: "model",
-    note: "",
-    value: (row, { titles }) => titles.get(row.model) ?? row.model,
-    print: (row, { titles }) => titles.get(row.model) ?? row.model,
-  },
-  {
-    name: "max_abs",
-    heading: "largest",
-    note: "largest absolute error of R over the hemisphere",
-    value: (row) => row.max_abs,
-    print: (row) => short(row.max_abs),
-  },
-  {
-    name: "max_abs_at_deg",
-    heading: "at",
-    note: "angle of the largest absolute error",
-    value: (row) => row.max_abs_at_deg,
-    print: (row, { unit }) => angle(row.max_abs_at_deg, unit, unit === "deg" ? 1 : 3),
-  },
-  {
-    name: "rms",
-    heading: "RMS",
-    note: "root mean square error over the hemisphere, each solid angle alike",
-    value: (row) => row.rms,
-    print: (row) => short(row.rms),
-  },
-  {
-    name: "max_relative",
-    heading: "relative",
-    note: "largest error relative to the exact R",
-    value: (row) => row.max_relative,
-    print: (row) => (row.rms === null ? short(null) : share(row.max_relative)),
-  },
-  {
-    name: "cosine_weighted_mean",
-    heading: "albedo",
-    note: "mean signed error weighted by the cosine, which is the error of the hemispherical albedo",
-    value: (row) => row.cosine_weighted_mean,
-    print: (row) => short(row.cosine_weighted_mean),
-  },
+  { name: "model", heading: "model", note: "", value: (r) => r.title, print: (r) => r.title },
+  measured("max_abs", "largest", "largest absolute error of R over the hemisphere"),
+  measured("max_abs_at_deg", "at", "angle of the largest absolute error", (row, { unit }) =>
+    angle(row.max_abs_at_deg, unit, unit === "deg" ? 1 : 3),
+  ),
+  measured("rms", "RMS", "root mean square error over the hemisphere, each solid angle alike"),
+  measured("max_relative", "relative", "largest error relative to the exact R", (row) =>
+    row.rms === null ? short(null) : share(row.max_relative),
+  ),
+  measured(
+    "cosine_weighted_mean",
+    "albedo",
+    "mean signed error weighted by the cosine, which is the error of the hemispherical albedo",
+  ),
   {
     name: "cost",
     heading: "cost",
     note: "operations of one evaluation: multiplications, additions, divisions, roots, powers",
-    value: (row, { costs, prices }) => prices.get(row.model) ?? operations(costs.get(row.model)),
-    print: (row, { costs }) => printCost(costs.get(row.model)),
+    value: ({ model }, { costs, prices }) => prices.get(model) ?? operations(costs.get(model)),
+    print: ({ model }, { costs }) => printCost(costs.get(model)),
   },
 ];
 
@@ -141,16 +125,12 @@ export const COLUMNS = [
  * @param {string} by
  * @param {'up' | 'down'} order
  * @param {Setting} setting
- * @returns {Row[]}
  */
 export function sorted(rows, by, order, setting) {
   const column = COLUMNS.find((c) => c.name === by) ?? /** @type {Column} */ (COLUMNS[0]);
-  return byColumn(
-    rows,
-    (row) => {
-      const value = column.value(row, setting);
-      return typeof value === "number" ? Math.abs(value) : value;
-    },
-    order,
-  );
+  const size = (/** @type {Row} */ row) => {
+    const value = column.value(row, setting);
+    return typeof value === "number" ? Math.abs(value) : value;
+  };
+  return byColumn(rows, size, order);
 }

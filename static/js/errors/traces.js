@@ -1,5 +1,6 @@
 /** The curves of the Compare view and their errors, from the curves that the server sent. */
 
+import { values } from "../curves/reading.js";
 import { modelTraces } from "../models/look.js";
 import { plain } from "../numbers/format.js";
 
@@ -7,12 +8,8 @@ import { plain } from "../numbers/format.js";
  * @typedef {{n: number, curves: Curves}} Member another index of the family
  */
 
-/** @param {Curves} curves @returns {(number | null)[]} */
-function exactOf(curves) {
-  return curves.curves.find((c) => c.model === "exact" && c.quantity === "R")?.values ?? [];
-}
-
 /**
+ * The exact curve and the models', then those of the other members of the family.
  * @param {Curves} curves
  * @param {readonly string[]} against
  * @param {Model[]} models
@@ -21,40 +18,32 @@ function exactOf(curves) {
  * @returns {Trace[]}
  */
 export function curveTraces(curves, against, models, toUnit, family = []) {
-  const x = curves.theta_i_deg.map(toUnit);
   const { n_t } = curves.interface;
-  const exact = {
-    id: "exact",
-    label: family.length ? `n = ${plain(n_t, 4)}` : "exact",
-    color: "--R",
-    dash: "solid",
-    width: 2.6,
-    x,
-    y: exactOf(curves),
-  };
-  const others = family
-    .filter((m) => m.n !== n_t)
-    .flatMap((member) => {
-      const own = member.curves.theta_i_deg.map(toUnit);
-      const n = plain(member.n, 4);
-      return [
-        {
-          ...exact,
-          id: `exact@${member.n}`,
-          label: `n = ${n}`,
-          width: 1.5,
-          x: own,
-          y: exactOf(member.curves),
-        },
-        ...modelTraces(member.curves, against, models, own).map((t) => ({
-          ...t,
-          id: `${t.id}@${member.n}`,
-          label: `${t.label}, n = ${n}`,
-          width: 1.4,
-        })),
-      ];
-    });
-  return [exact, ...modelTraces(curves, against, models, x), ...others];
+  const members = [{ n: n_t, curves }, ...family.filter((m) => m.n !== n_t)];
+  return members.flatMap(({ n, curves: own }, index) => {
+    const x = own.theta_i_deg.map(toUnit);
+    const words = `n = ${plain(n, 4)}`;
+    const exact = {
+      id: "exact",
+      label: family.length ? words : "exact",
+      color: "--R",
+      dash: "solid",
+      width: index ? 1.5 : 2.6,
+      x,
+      y: values(own, "R"),
+    };
+    const others = modelTraces(own, against, models, x);
+    if (index === 0) return [exact, ...others];
+    return [
+      { ...exact, id: `exact@${n}` },
+      ...others.map((t) => ({
+        ...t,
+        id: `${t.id}@${n}`,
+        label: `${t.label}, ${words}`,
+        width: 1.4,
+      })),
+    ];
+  });
 }
 
 /**
@@ -73,7 +62,7 @@ export function distinct(traces) {
 }
 
 /**
- * Model minus exact, or that over exact; null where either is missing or exact is 0.
+ * Model minus exact, or that over exact in percent; null where either is missing or exact is 0.
  * @param {readonly (number | null)[]} values
  * @param {readonly (number | null)[]} exact
  * @param {boolean} relative
@@ -84,30 +73,26 @@ export function errorOf(values, exact, relative) {
     const right = exact[i];
     if (value === null || right === null || right === undefined) return null;
     if (!relative) return value - right;
-    return right === 0 ? null : (value - right) / right;
+    return right === 0 ? null : 100 * ((value - right) / right);
   });
 }
 
 /**
  * @param {readonly Trace[]} traces of `curveTraces`
  * @param {boolean} relative
- * @returns {Trace[]}
+ * @returns {Trace[]} the exact curve's is the line at 0
  */
 export function errorTraces(traces, relative) {
-  const zero = traces.find((t) => t.id === "exact");
-  if (!zero) return [];
-  return [
-    { ...zero, label: "", width: 1.2, y: zero.x.map(() => 0) },
-    ...traces
-      .filter((t) => !t.id.startsWith("exact"))
-      .map((trace) => {
-        const at = trace.id.indexOf("@");
-        const exact = traces.find(
-          (t) => t.id === (at < 0 ? "exact" : `exact${trace.id.slice(at)}`),
-        );
-        return { ...trace, y: errorOf(trace.y, exact?.y ?? [], relative) };
-      }),
-  ];
+  const unit = relative ? " %" : undefined;
+  return traces
+    .filter((t) => !t.id.startsWith("exact@"))
+    .map((trace) => {
+      if (trace.id === "exact")
+        return { ...trace, unit, label: "", width: 1.2, y: trace.x.map(() => 0) };
+      const at = trace.id.indexOf("@");
+      const exact = traces.find((t) => t.id === (at < 0 ? "exact" : `exact${trace.id.slice(at)}`));
+      return { ...trace, unit, y: errorOf(trace.y, exact?.y ?? [], relative) };
+    });
 }
 
 /**

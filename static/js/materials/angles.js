@@ -1,7 +1,7 @@
 /** R over the angle at wavelengths of choice: Shirley's figure of copper, for any material. */
 
 import { locate, read } from "../curves/reading.js";
-import { axesOf } from "../curves/traces.js";
+import { angleAxis } from "../curves/traces.js";
 import { wavelengthColor, wavelengthDash, wavelengthProperty } from "../media/wavelength-color.js";
 import { inDegrees, inUnit, plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
@@ -9,11 +9,6 @@ import { createPlot } from "../plot/plot.js";
 import { createBox } from "./box.js";
 import { SHIRLEY_NM, wavelengths } from "./fields.js";
 import { createPanel } from "./panel.js";
-
-/** The angle's axis as Explore shows it. @param {State} state */
-export function angleAxis({ angle }) {
-  return axesOf({ angle, show: [], polarization: "unpolarized", models: [], marks: false }).x;
-}
 
 /** What an answer's angles are on that axis. @param {{theta_i_deg: number[]}} answer @param {State} state */
 export const anglesOf = ({ theta_i_deg }, { angle }) => theta_i_deg.map((d) => inUnit(d, angle));

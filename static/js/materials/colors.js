@@ -3,10 +3,11 @@
  * against the spectrum integrated at every angle.
  */
 
+import { angleAxis } from "../curves/traces.js";
 import { plain, significant } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { html, render } from "../page/lit.js";
-import { angleAxis, anglesOf, createAnglePlot } from "./angles.js";
+import { anglesOf, createAnglePlot } from "./angles.js";
 import { createPanel } from "./panel.js";
 import { presetOf } from "./queries.js";
 

@@ -1,10 +1,11 @@
 /** Reflectance over angle and wavelength. */
 
 import { createChoices } from "../controls/panel.js";
+import { angleAxis } from "../curves/traces.js";
 import { inDegrees, inUnit, significant } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { createHeatmap } from "../plot/heatmap.js";
-import { angleAxis, anglesOf } from "./angles.js";
+import { anglesOf } from "./angles.js";
 import { createPanel } from "./panel.js";
 
 const NAMES = /** @type {Record<string, string>} */ ({ R: "R", Rs: "Rₛ", Rp: "Rₚ" });

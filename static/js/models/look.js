@@ -103,7 +103,7 @@ export function modelTraces(curves, ids, models, x) {
 }
 
 /** Dashes of a short piece of a curve. @type {Record<string, string>} */
-const SAMPLE_DASHES = {
+export const SAMPLE_DASHES = {
   solid: "",
   dash: "7 4",
   dot: "2 3",

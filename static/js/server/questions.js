@@ -8,6 +8,13 @@ export function path(route, parts) {
   return query ? `${route}?${query}` : route;
 }
 
+/** What the server declares of a parameter; nothing here knows its bounds. @param {readonly Parameter[]} parameters @param {string} name */
+export function declared(parameters, name) {
+  const found = parameters.find((p) => p.name === name);
+  if (!found) throw new Error(`The server declares no ${name}`);
+  return found;
+}
+
 /**
  * @param {State} state
  * @param {Catalog} catalog

@@ -49,11 +49,18 @@ export function choice(preset, options) {
   };
 }
 
-/** Any of some words, in the order given. @param {string[]} options @returns {Field} */
-export function list(options) {
+/**
+ * Any of some words, in the order given.
+ * @param {string[]} options
+ * @param {readonly string[]} [preset] unless it is empty, an empty list is written "none"
+ * @returns {Field}
+ */
+export function list(options, preset = []) {
+  const empty = preset.length ? "none" : "";
   return {
-    default: Object.freeze([]),
+    default: Object.freeze([...preset]),
     parse(text) {
+      if (empty && text === empty) return Object.freeze([]);
       const words = text.split(",");
       const strange = words.find((word) => !options.includes(word));
       if (strange !== undefined) {
@@ -61,7 +68,7 @@ export function list(options) {
       }
       return Object.freeze([...new Set(words)]);
     },
-    print: (value) => value.join(","),
+    print: (value) => value.join(",") || empty,
   };
 }
 

@@ -1,5 +1,4 @@
 import { locate, read, values } from "../curves/reading.js";
-import { rowsOf } from "../errors/answers.js";
 
 /**
  * What a lesson is, and the numbers that hold in it: its own, until the reader moves them.
@@ -92,5 +91,7 @@ export function shareBy({ answers, setting }, model, quantity = "R") {
 
 /** What is wrong with a model here. @param {Scene} scene @param {string} model */
 export function errorOf({ answers }, model) {
-  return rowsOf(answers.errors).find((row) => row.model === model) ?? null;
+  /** @type {import('../errors/metrics.js').Row[]} */
+  const rows = answers.errors?.errors ?? [];
+  return rows.find((row) => row.model === model) ?? null;
 }

@@ -44,7 +44,7 @@ function prepared({ code, text, tries = [] }) {
  * @param {ViewContext} options.context
  */
 export function createLessons({ lessons, key, title, intro, context }) {
-  const { catalog, presets, state, actions, say, save } = context;
+  const { catalog, state, actions, say } = context;
   const section = key === "step" ? "path" : "traps";
   /** @type {Set<Try>} */
   const achieved = new Set();
@@ -53,7 +53,7 @@ export function createLessons({ lessons, key, title, intro, context }) {
     name: "Reflectance against the angle of incidence",
     actions,
   });
-  const coat = createCoat({ presets, state, actions, save, say, prefix: `${key}-` });
+  const coat = createCoat(context, `${key}-`);
   const element = h("div", { class: `lessons ${section}` });
 
   let shown = lessonOf(state());

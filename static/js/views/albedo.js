@@ -3,15 +3,17 @@
 import { sideOf } from "../albedo/answers.js";
 import { createClaims } from "../albedo/claims-table.js";
 import { createControls } from "../albedo/controls.js";
-import { albedoFields, chosenFits, facing, isMetal } from "../albedo/fields.js";
+import { albedoFields, chosenFits, facing, isMetal, turned } from "../albedo/fields.js";
 import { createMap } from "../albedo/map.js";
 import { createPlots } from "../albedo/plots.js";
 import { createReading, direction } from "../albedo/reading.js";
 import { createCoat } from "../coat/coat.js";
 import { createDefinitions } from "../models/definitions.js";
 import { six } from "../numbers/format.js";
+import { createChanged } from "../page/changed.js";
 import { h } from "../page/dom.js";
 import { loadStyle } from "../page/style.js";
+import { createProblems } from "../page/trouble.js";
 
 export { queries, restCalls } from "../albedo/queries.js";
 export const fields = albedoFields;
@@ -25,41 +27,26 @@ await Promise.all(
 );
 
 /** @param {ViewContext} context */
-export function createView({
-  element,
-  catalog,
-  presets,
-  state,
-  actions,
-  say,
-  save,
-  describeMedia,
-  typeset,
-}) {
-  const controls = createControls({ catalog, presets, state, actions, describeMedia });
-  const coat = createCoat({ presets, state, actions, save, say });
+export function createView(context) {
+  const { element, state, actions, say, typeset } = context;
+  const controls = createControls(context);
+  const coat = createCoat(context);
   const reading = createReading(say);
   const claims = createClaims({
     say,
     onSort: (by, order) => actions.set({ claims_by: by, claims_order: order }),
     onPick(id, surface) {
-      const { surface: here, k_t } = state();
-      const chosen = chosenFits(state());
+      const chosen = state().surface === surface ? chosenFits(state()) : [];
       const others = chosen.filter((other) => other !== id);
-      const there = here === surface;
-      actions.set({
-        surface,
-        fits: Object.freeze(there && chosen.includes(id) ? others : there ? [...others, id] : [id]),
-        ...(!there && { sweep_low: null, sweep_high: null }),
-        ...(isMetal(surface) && k_t === 0 && { k_t: 3, material: null }),
-      });
+      const fits = chosen.includes(id) ? others : [...others, id];
+      actions.set({ ...turned(state(), surface), fits: Object.freeze(fits) });
     },
   });
   const formulas = h("div", {});
 
   element.append(controls.element);
-  const plots = createPlots(element, { actions, save });
-  const map = createMap(element, { actions, state, save });
+  const plots = createPlots(context);
+  const map = createMap(context);
   element.append(
     h(
       "section",
@@ -77,22 +64,19 @@ export function createView({
     ),
   );
 
-  /** @type {Record<string, {title: string, lines: string[]}>} what went wrong, by the query's name */
-  const problems = {};
+  const problems = createProblems(["sweep", "map", "coat"]);
   /** @type {Record<string, any>} */
-  let before = {};
+  let given = {};
   /** @type {ReturnType<typeof createDefinitions> | null} */
   let definitions = null;
+  const newFits = createChanged();
 
   /** @param {readonly Fit[]} fits */
   function define(fits) {
     definitions = createDefinitions(
       fits.map((fit) => ({
-        id: fit.id,
-        title: fit.title,
-        latex: fit.latex,
+        ...fit,
         validity: fit.note,
-        reference: fit.reference,
         kind: "approximation",
         applies_to: [],
         parameters: [],
@@ -103,29 +87,34 @@ export function createView({
     formulas.replaceChildren(definitions.element);
   }
 
+  /** @param {State} now @param {boolean} moving */
+  function show(now, moving) {
+    /** @type {readonly Fit[]} */
+    const fits = given.fits?.fits ?? [];
+    if (fits.length && newFits(fits)) define(fits);
+    /** @param {string} name */
+    const problem = (name) => problems.of(name, given);
+    controls.update(now, fits);
+    plots.update(now, given, fits, moving, problem("sweep"));
+    reading.update(now, given.here, fits);
+    coat.update(now, given.coat, problem("coat"));
+    if (moving) return;
+    definitions?.update([...chosenFits(now)]);
+    map.update(now, given.map, fits, problem("map"));
+    if (fits.length)
+      claims.update(fits, {
+        by: now.claims_by,
+        order: now.claims_order,
+        chosen: chosenFits(now),
+        surface: now.surface,
+      });
+  }
+
   return {
     /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
     update(now, answers, moving) {
-      for (const name of Object.keys(problems))
-        if (answers[name] !== before[name]) delete problems[name];
-      /** @type {readonly Fit[]} */
-      const fits = answers.fits?.fits ?? [];
-      if (fits.length && answers.fits !== before.fits) define(fits);
-      before = answers;
-      controls.update(now, fits);
-      plots.update(now, answers, fits, moving, problems.sweep);
-      reading.update(now, answers.here, fits);
-      coat.update(now, answers.coat, problems.coat);
-      if (moving) return;
-      definitions?.update([...chosenFits(now)]);
-      map.update(now, answers.map, fits, problems.map);
-      if (fits.length)
-        claims.update(fits, {
-          by: now.claims_by,
-          order: now.claims_order,
-          chosen: chosenFits(now),
-          surface: now.surface,
-        });
+      given = answers;
+      show(now, moving);
     },
 
     /** @param {State} now @param {Record<string, any>} answers */
@@ -143,15 +132,11 @@ export function createView({
       return `Albedo ${way}: ${six(side.exact.unpolarized)}. ${off.join(", ")}`;
     },
 
-    /** @param {string} name @param {{title: string, lines: string[]}} problem */
+    /** @param {string} name @param {import('../page/trouble.js').Problem} problem */
     problem(name, problem) {
-      const fits = before.fits?.fits ?? [];
-      if (name === "sweep") plots.update(state(), before, fits, false, problem);
-      else if (name === "map") map.update(state(), before.map, fits, problem);
-      else if (name === "coat") coat.update(state(), before.coat, problem);
-      else return false;
-      problems[name] = problem;
-      return true;
+      const told = problems.add(name, problem, given);
+      if (told) show(state(), false);
+      return told;
     },
 
     theme() {

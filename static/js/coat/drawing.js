@@ -1,0 +1,121 @@
+/** The picture of the paint, drawn from its geometry, and as a file with the paint that the page gives it. */
+
+import { percent } from "../numbers/format.js";
+import { h } from "../page/dom.js";
+import { html, render, svg } from "../page/lit.js";
+import { fontFaces, rasterized, withStyle } from "../plot/image.js";
+import { coatPicture, outline } from "./picture.js";
+
+/** @typedef {import('./fields.js').Coat} Coat */
+
+const SMALLEST = 60;
+/** Properties that an exported picture carries with it. */
+const PAINT =
+  "fill fill-opacity stroke stroke-width stroke-dasharray font-family font-size font-style font-weight text-anchor";
+
+/** @param {Coat} coat */
+function csv({ interface: media, body_albedo, theta_i_deg, external, internal, ...shares }) {
+  const { surface, body, absorbed } = shares;
+  const { n_t } = media;
+  const row = { n_t, body_albedo, theta_i_deg, external, internal, surface, body, absorbed };
+  return `${Object.keys(row).join(",")}\r\n${Object.values(row)
+    .map((v) => v ?? "")
+    .join(",")}\r\n`;
+}
+
+export function createDrawing() {
+  const frame = h("div", { class: "coat-frame", role: "figure" });
+  /** @type {Coat | null} */
+  let shown = null;
+
+  function draw() {
+    const { clientWidth: width, clientHeight: height } = frame;
+    if (!shown || width < SMALLEST || height < SMALLEST) return;
+    const line = Number.parseFloat(getComputedStyle(frame).fontSize) * 1.35;
+    const picture = coatPicture(shown, { width, height, line });
+    const { surface, body, floor, labels, loop, head } = picture;
+    /** @param {{x: number, y: number}} at @param {[kind: string, words: string][]} lines */
+    const written = ({ x, y }, ...lines) =>
+      lines.map(
+        ([kind, words], i) =>
+          svg`<text class="coat-${kind}" x=${x} y=${y + i * line}>${words}</text>`,
+      );
+    /** @param {number} y */
+    const across = (y) => svg`<line class="coat-line" x1="0" x2=${width} y1=${y} y2=${y}></line>`;
+    /** @param {string} kind @param {number} y @param {number} to */
+    const layer = (kind, y, to) =>
+      svg`<rect class="${kind}-layer" x="0" y=${y} width=${width} height=${Math.max(0, to - y)}></rect>`;
+    render(
+      html`<svg
+        class="coat-svg"
+        aria-hidden="true"
+        focusable="false"
+        width=${width}
+        height=${height}
+        viewBox="0 0 ${width} ${height}"
+      >
+        ${layer("coat", surface, body)}${layer("body", body, floor)}${across(surface)}${across(body)}
+        <g>${picture.bands.map((band) => svg`<path class="coat-band ${band.name}" d=${outline(band)}></path>`)}</g>
+        <path class="coat-loop" d=${loop}></path>
+        <path class="coat-loop-head" d=${head}></path>
+        ${written(labels.incoming, ["name", "light"], ["value", "100 %"])}
+        ${written(labels.surface, ["name", "surface"], ["value", percent(shown.surface)])}
+        ${written(labels.body, ["name", "body"], ["value", percent(shown.body)])}
+        ${written(labels.absorbed, ["name start", "absorbed"], ["value start", percent(shown.absorbed)])}
+        ${written(
+          labels.internal,
+          ["note", width < 330 ? "back" : "thrown back"],
+          ["note", percent(shown.internal)],
+        )}
+        ${written({ x: 0.6 * line, y: surface + 1.2 * line }, ["word", "coat"])}
+        ${written({ x: 0.6 * line, y: body + 1.2 * line }, ["word", "body"])}
+      </svg>`,
+      frame,
+    );
+  }
+
+  let waiting = 0;
+  const observer = new ResizeObserver(() => {
+    cancelAnimationFrame(waiting);
+    waiting = requestAnimationFrame(draw);
+  });
+  observer.observe(frame);
+
+  return {
+    element: frame,
+    /** @param {Coat} coat @param {string} label */
+    update(coat, label) {
+      shown = coat;
+      frame.ariaLabel = label;
+      draw();
+    },
+    /** @param {'png' | 'svg' | 'csv'} format */
+    async make(format) {
+      const root = frame.querySelector("svg");
+      if (!shown || !root) throw new Error("there is no picture yet");
+      if (format === "csv") return new Blob([csv(shown)], { type: "text/csv;charset=utf-8" });
+      const { clientWidth: width, clientHeight: height } = frame;
+      const copy = /** @type {SVGElement} */ (root.cloneNode(true));
+      const originals = root.querySelectorAll("*");
+      copy.querySelectorAll("*").forEach((node, i) => {
+        const style = getComputedStyle(/** @type {Element} */ (originals[i]));
+        for (const name of PAINT.split(" ")) node.setAttribute(name, style.getPropertyValue(name));
+        node.removeAttribute("class");
+      });
+      const ground = document.createElementNS("http://www.w3.org/2000/svg", "rect");
+      ground.setAttribute("width", String(width));
+      ground.setAttribute("height", String(height));
+      ground.setAttribute("fill", getComputedStyle(document.documentElement).backgroundColor);
+      copy.prepend(ground);
+      // What templates leave between the elements belongs to no file.
+      const source = new XMLSerializer().serializeToString(copy).replace(/<!--.*?-->/gu, "");
+      const styled = withStyle(source, await fontFaces(getComputedStyle(frame).fontFamily));
+      const blob = new Blob([styled], { type: "image/svg+xml;charset=utf-8" });
+      return format === "svg" ? blob : rasterized(blob, 2 * width, 2 * height);
+    },
+    destroy() {
+      observer.disconnect();
+      cancelAnimationFrame(waiting);
+    },
+  };
+}

@@ -1,0 +1,37 @@
+/** The panel beside a view: the media, their three indices, and below them the view's own choices. */
+
+import { h } from "../page/dom.js";
+import { createInterface } from "./media.js";
+import { createSheet } from "./panel.js";
+
+/** @param {Parameters<typeof createInterface>[0] & {choices: Node[]}} options */
+export function createPanel({ choices, ...options }) {
+  const { rows, media } = createInterface(options);
+  const body = h(
+    "div",
+    { class: "panel-body" },
+    h("div", { class: "heading" }, h("h2", {}, "Media")),
+    media.element,
+    h("div", { class: "rows" }, ...rows.map((r) => r.row.element)),
+    h("div", { class: "choices" }, ...choices),
+  );
+  const sheet = createSheet({ pages: rows, body, first: "n_t" });
+  return {
+    element: sheet.element,
+    stop() {
+      media.stop();
+      for (const { row } of rows) row.stop();
+    },
+    /** @param {State} now */
+    update(now) {
+      media.update(now);
+      /** @type {Record<string, {value: number, label: string}[]>} */
+      const marks = {
+        n_i: [{ value: now.n_t, label: "equal to n_t" }],
+        n_t: [{ value: now.n_i, label: "equal to n_i" }],
+      };
+      for (const { name, row } of rows) row.update(now[name], marks[name]);
+      sheet.update();
+    },
+  };
+}
