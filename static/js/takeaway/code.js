@@ -1,11 +1,13 @@
 /** A model as code to take away: language, real numbers or colors, copy and save. */
 
-import { createChoice } from "../controls/panel.js";
-import { h, setText } from "../page/dom.js";
+import { createChoices } from "../controls/panel.js";
+import { createSelect } from "../controls/select.js";
+import { h } from "../page/dom.js";
 import { copyText, flash } from "../page/exports.js";
+import { html, nothing, render } from "../page/lit.js";
 import { loadStyle } from "../page/style.js";
-import { createModelChoice } from "./choice.js";
-import { LANGUAGES, snippetPath } from "./fields.js";
+import { sayProblem } from "../page/trouble.js";
+import { codeOf, LANGUAGES, snippetPath, titlesOf } from "./fields.js";
 
 await loadStyle("css/snippets.css");
 
@@ -19,83 +21,35 @@ const CHECKED = {
 /**
  * @param {object} options
  * @param {Model[]} options.models
- * @param {Pick<Actions, 'set'>} options.actions
+ * @param {Actions} options.actions
  * @param {(text: string) => void} options.say
  * @param {(name: string, blob: Blob) => void} options.save
  */
 export function createSnippets({ models, actions, say, save }) {
-  const model = createModelChoice({
-    models,
-    label: "Model whose code is shown",
-    actions,
-  });
-  const language = createChoice({
-    legend: "Language",
-    items: LANGUAGES.map(({ id, label }) => ({ value: id, label })),
-    onChange: ([value]) => actions.set({ language: value }),
-  });
-  const channels = createChoice({
-    legend: "Arguments",
-    items: [
-      { value: "1", label: "numbers" },
-      { value: "3", label: "colors", note: "adds a function that takes and returns RGB" },
+  const model = createSelect("Model whose code is shown", (code) => actions.set({ code }));
+  const choices = createChoices(actions, {
+    language: ["Language", Object.fromEntries(LANGUAGES.map(({ id, label }) => [id, label]))],
+    channels: [
+      "Arguments",
+      { 1: "numbers", 3: ["colors", "adds a function that takes and returns RGB"] },
     ],
-    onChange: ([value]) => actions.set({ channels: value }),
   });
-  const code = h("code", {});
-  const box = h("pre", { class: "code", tabindex: "0", role: "group", "aria-label": "Code" }, code);
-  const trust = h("span", {});
-  const link = h("a", { class: "quiet" }, "as plain text");
-  const checked = h("p", { class: "checked" }, trust, " ", link);
-  const wrong = h("p", { class: "row-error", role: "status" });
-  /** @type {{model: string, language: string} | null} */
+  const { language, channels } = choices.elements;
+  /** @type {{model: string, language: string, code: string, checked: string, checked_by: string} | null} */
   let shown = null;
-  const copy = h(
-    "button",
-    {
-      type: "button",
-      class: "quiet",
-      onclick: async () => {
-        const done = await copyText(code.textContent ?? "");
-        flash(copy, done);
-        say(done ? "The code was copied." : "The browser refused to copy.");
-      },
-    },
-    "Copy code",
-  );
-  const keep = h(
-    "button",
-    {
-      type: "button",
-      class: "quiet",
-      onclick: () => {
-        if (!shown) return;
-        const file = LANGUAGES.find((l) => l.id === shown?.language)?.file ?? "txt";
-        save(`${shown.model}.${file}`, new Blob([code.textContent ?? ""], { type: "text/plain" }));
-      },
-    },
-    "Save",
-  );
-  const element = h(
-    "section",
-    { class: "column snippets", "aria-label": "Shader code" },
-    h(
-      "div",
-      { class: "heading" },
-      h("h2", {}, "Shader code"),
-      h("p", { class: "exports" }, copy, keep),
-    ),
-    h(
-      "div",
-      { class: "snippet-controls" },
-      h("span", { class: "picker" }, model.element),
-      language.element,
-      channels.element,
-    ),
-    wrong,
-    box,
-    checked,
-  );
+  let link = "";
+  async function copy(/** @type {{currentTarget: HTMLElement}} */ { currentTarget }) {
+    const done = await copyText(shown?.code ?? "");
+    flash(currentTarget, done);
+    say(done ? "The code was copied." : "The browser refused to copy.");
+  }
+  function keep() {
+    if (!shown) return;
+    const { model: id, language: used, code } = shown;
+    const file = LANGUAGES.find((l) => l.id === used)?.file ?? "txt";
+    save(`${id}.${file}`, new Blob([code], { type: "text/plain" }));
+  }
+  const element = h("section", { class: "column snippets", "aria-label": "Shader code" });
 
   return {
     element,
@@ -103,22 +57,36 @@ export function createSnippets({ models, actions, say, save }) {
      * @param {State} now
      * @param {readonly string[]} offered ids of the models to choose among
      * @param {any} answer of /shaders/{model}
-     * @param {{title: string, lines: string[]} | undefined} problem
+     * @param {import('../page/trouble.js').Problem | undefined} problem
      */
     update(now, offered, answer, problem) {
-      model.update(now, offered);
-      language.update([now.language]);
-      channels.update([now.channels]);
-      channels.element.hidden = now.language === "python"; // arrays broadcast
-      setText(wrong, problem ? problem.lines.join(" · ") || problem.title : "");
-      box.hidden = problem !== undefined;
-      checked.hidden = problem !== undefined;
-      copy.disabled = keep.disabled = problem !== undefined || !answer;
-      if (!answer || problem) return;
-      shown = answer;
-      setText(code, answer.code);
-      setText(trust, `${CHECKED[answer.checked] ?? ""}${answer.checked_by}.`);
-      link.href = `api/v1${snippetPath(now, offered)}&format=text`;
+      model.update(codeOf(now, offered), titlesOf(models, offered));
+      choices.update(now);
+      channels.hidden = now.language === "python"; // arrays broadcast
+      const wrong = problem !== undefined;
+      const none = wrong || !answer;
+      if (!none) {
+        shown = answer;
+        link = `api/v1${snippetPath(now, offered)}&format=text`;
+      }
+      const { code = "", checked = "", checked_by: by } = shown ?? {};
+      render(
+        html`<div class="heading">
+            <h2>Shader code</h2>
+            <p class="exports">
+              <button type="button" class="quiet" ?disabled=${none} @click=${copy}>Copy code</button>
+              <button type="button" class="quiet" ?disabled=${none} @click=${keep}>Save</button>
+            </p>
+          </div>
+          <div class="snippet-controls">${model.element}${language}${channels}</div>
+          <p class="row-error" role="status">${sayProblem(problem)}</p>
+          <pre class="code" tabindex="0" role="group" aria-label="Code" ?hidden=${wrong}><code>${code}</code></pre>
+          <p class="checked" ?hidden=${wrong}>
+            ${by && `${CHECKED[checked] ?? ""}${by}.`}
+            <a class="quiet" href=${shown ? link : nothing}>as plain text</a>
+          </p>`,
+        element,
+      );
     },
   };
 }

@@ -1,7 +1,7 @@
 /** What the panel of shader code adds to the state, and what it asks the server for. */
 
 import { mediaQuery, parameterQuery, path } from "../server/questions.js";
-import { choice } from "../state/state.js";
+import { choice, optional } from "../state/state.js";
 
 /**
  * @typedef {{id: string, label: string, file: string}} Language
@@ -18,9 +18,8 @@ export const LANGUAGES = [
 
 /** @param {Model[]} models @returns {Record<string, Field>} */
 export function snippetFields(models) {
-  const ids = models.map((m) => m.id);
   return {
-    code: { ...choice("", ids), default: null, print: (value) => value ?? "" },
+    code: optional(models.map((m) => m.id)),
     language: choice(
       "glsl",
       LANGUAGES.map((l) => l.id),
@@ -36,6 +35,13 @@ export function snippetFields(models) {
  */
 export function codeOf({ code }, offered) {
   return code !== null && offered.includes(code) ? code : (offered[0] ?? "exact");
+}
+
+/** The models that are offered, by their titles. @param {Model[]} models @param {readonly string[]} offered */
+export function titlesOf(models, offered) {
+  return Object.fromEntries(
+    offered.map((id) => [id, models.find((m) => m.id === id)?.title ?? id]),
+  );
 }
 
 /** @param {State} state @param {readonly string[]} offered @returns {string} */

@@ -1,12 +1,15 @@
 /** Lookup tables to take away, and how large one has to be: only its size and depth make errors. */
 
-import { createChoice } from "../controls/panel.js";
+import { createChoices } from "../controls/panel.js";
+import { createSelect } from "../controls/select.js";
 import { plain } from "../numbers/format.js";
+import { createChanged } from "../page/changed.js";
 import { h, setText } from "../page/dom.js";
+import { html, render } from "../page/lit.js";
 import { loadStyle } from "../page/style.js";
+import { sayProblem } from "../page/trouble.js";
 import { createPlot } from "../plot/plot.js";
-import { createModelChoice } from "./choice.js";
-import { codeOf, DEPTHS, lutPath, pickedSize, rgbLutPath, SIZES } from "./fields.js";
+import { codeOf, DEPTHS, lutPath, pickedSize, rgbLutPath, SIZES, titlesOf } from "./fields.js";
 
 await loadStyle("css/tables.css");
 
@@ -23,61 +26,49 @@ const Y_TICKS = {
   text: DECADES.map((power) => (power === 0 ? "1" : `10⁻${SUPERSCRIPT[-power]}`)),
 };
 
+/** @param {number | null | undefined} error @returns {number | null} its place on the axis */
+const decades = (error) => (error ? Math.log10(error) : null);
 /** @param {number} value */
 const scientific = (value) =>
   value >= 0.001 ? plain(value, 3) : value.toExponential(2).replace("-", "−");
 
 /**
  * @param {object} options
- * @param {HTMLElement} options.parent in the document, because plots read colours and sizes from it
+ * @param {HTMLElement} options.parent in the document, because plots read colors and sizes from it
  * @param {Catalog} options.catalog
- * @param {Pick<Actions, 'set'>} options.actions
+ * @param {Actions} options.actions
  */
 export function createTables({ parent, catalog, actions }) {
-  const model = createModelChoice({
-    models: catalog.models,
-    label: "Model that is tabulated",
-    actions,
-  });
-  const size = h(
-    "select",
-    {
-      class: "preset",
-      "aria-label": "Texels of the table",
-      onchange: () => actions.set({ table_size: size.value }),
-    },
-    ...SIZES.map((n) => h("option", { value: String(n) }, `${n} texels`)),
+  const { models } = catalog;
+  const model = createSelect("Model that is tabulated", (code) => actions.set({ code }));
+  const size = createSelect(
+    "Texels of the table",
+    (value) => actions.set({ table_size: value }),
+    Object.fromEntries(SIZES.map((n) => [n, `${n} texels`])),
   );
-  const bits = createChoice({
-    legend: "Depth",
-    items: DEPTHS.map((d) => ({ value: d.bits, label: d.label })),
-    onChange: ([value]) => actions.set({ bits: value }),
+  const choices = createChoices(actions, {
+    bits: ["Depth", Object.fromEntries(DEPTHS.map(({ bits, label }) => [bits, label]))],
   });
-  const verdict = h("p", { class: "table-verdict", role: "status" });
-  const wrong = h("p", { class: "row-error", role: "status" });
-  const files = h("p", { class: "table-files" });
   const host = h("div", { class: "table-plot" });
-  const element = h(
-    "section",
-    { class: "column tables", "aria-label": "Lookup table" },
-    h("div", { class: "heading" }, h("h2", {}, "Lookup table")),
-    h(
-      "div",
-      { class: "table-controls" },
-      h("span", { class: "picker" }, model.element),
-      h("span", { class: "picker" }, size),
-      bits.element,
-    ),
-    wrong,
-    host,
-    verdict,
-    files,
-    h(
-      "p",
-      { class: "hint" },
-      "R over cos θᵢ. Read it at (cos θᵢ (N − 1) + ½) / N with linear filtering: the ends are the centers of the outer texels.",
-    ),
-  );
+  const element = h("section", { class: "column tables", "aria-label": "Lookup table" });
+  const verdict = h("p", { class: "table-verdict", role: "status" });
+
+  /** @param {string} wrong @param {{label: string, path: string}[]} files */
+  function show(wrong, files) {
+    for (const part of [host, verdict]) part.hidden = wrong !== "";
+    render(
+      html`<div class="heading"><h2>Lookup table</h2></div>
+        <div class="table-controls">${model.element}${size.element}${choices.elements.bits}</div>
+        <p class="row-error" role="status">${wrong}</p>
+        ${host}${verdict}
+        <p class="table-files" ?hidden=${wrong !== ""}>${files.map(
+          ({ label, path }) => html`<a class="quiet" href="api/v1${path}" download="">${label}</a>`,
+        )}</p>
+        <p class="hint">R over cos θᵢ. Read it at (cos θᵢ (N − 1) + ½) / N with linear filtering: the ends are the centers of the outer texels.</p>`,
+      element,
+    );
+  }
+  show("", []);
   parent.append(element);
 
   const plot = createPlot(host, {
@@ -94,76 +85,77 @@ export function createTables({ parent, catalog, actions }) {
     y: { title: "largest error", range: [-8, 0], ticks: Y_TICKS },
     filename: "fresnel-table-error",
     onPick(x, { settled }) {
-      if (settled) actions.set({ table_size: pickedSize(x, Number(size.value)) });
+      if (settled) actions.set({ table_size: pickedSize(x, texels) });
     },
   });
 
-  /** @param {string} label @param {string} path */
-  const file = (label, path) =>
-    h("a", { class: "quiet", href: `api/v1${path}`, download: "" }, label);
+  /** @param {State} now @param {string} id @param {string[]} formats that hold the curve */
+  function filesOf(now, id, formats) {
+    const parts = [`size=${now.table_size}`, `bits=${now.bits}`];
+    const color = rgbLutPath(now, catalog, id, [`size=${now.table_size}`, "format=exr"]);
+    return [
+      ...formats.map((f) => ({
+        label: f.toUpperCase(),
+        path: lutPath(now, catalog, id, "/lut", [...parts, `format=${f}`]),
+      })),
+      ...(color ? [{ label: "RGB as EXR", path: color }] : []),
+    ];
+  }
 
-  /** @type {any} */
-  let drawn = null;
+  const changed = createChanged();
+  /** @type {ReturnType<typeof filesOf>} */
+  let files = [];
+  let texels = 0;
   return {
     element,
     /**
      * @param {State} now
      * @param {readonly string[]} offered ids of the models to choose among
      * @param {any} answer of /lut/errors
-     * @param {{title: string, lines: string[]} | undefined} problem
+     * @param {import('../page/trouble.js').Problem | undefined} problem
      */
     update(now, offered, answer, problem) {
       const id = codeOf(now, offered);
-      model.update(now, offered);
-      size.value = now.table_size;
-      bits.update([now.bits]);
-      setText(wrong, problem ? problem.lines.join(" · ") || problem.title : "");
-      for (const part of [host, verdict, files]) part.hidden = problem !== undefined;
-      if (!answer || problem) return;
-      if (answer !== drawn) {
-        drawn = answer;
-        void plot.draw(
-          DEPTHS.map(({ depth, label }, i) => ({
-            id: depth,
-            label,
-            x: answer.sizes,
-            y: answer.max_abs[depth].map((/** @type {number | null} */ e) =>
-              e === null || e === 0 ? null : Math.log10(e),
-            ),
-            width: 2,
-            .../** @type {{color: string, dash: string}} */ (LOOKS[i]),
-          })),
-        );
-      }
-      const at = answer.sizes.indexOf(Number(now.table_size));
-      plot.marker(
-        Number(now.table_size),
-        DEPTHS.map(({ depth }) => {
-          const error = answer.max_abs[depth][at];
-          return { id: depth, y: error ? Math.log10(error) : null };
-        }),
-      );
+      model.update(id, titlesOf(models, offered));
+      size.update(now.table_size);
+      texels = Number(now.table_size);
+      choices.update(now);
       const depth = DEPTHS.find((d) => d.bits === now.bits);
-      if (!depth) return;
-      const error = answer.max_abs[depth.depth][at];
-      setText(
-        verdict,
-        error === null
-          ? "Integers hold 0 to 1, and this curve goes beyond: take floats."
-          : `${now.table_size} texels, ${depth.label}: at no angle off by more than ${scientific(error)}.`,
-      );
-      const parts = [`size=${now.table_size}`, `bits=${now.bits}`];
-      const color = rgbLutPath(now, catalog, id, [`size=${now.table_size}`, "format=exr"]);
-      files.replaceChildren(
-        ...(error === null
-          ? []
-          : depth.formats.map((f) =>
-              file(f.toUpperCase(), lutPath(now, catalog, id, "/lut", [...parts, `format=${f}`])),
-            )),
-        ...(color ? [file("RGB as EXR", color)] : []),
-      );
+      if (answer && depth && !problem) {
+        draw(answer);
+        /** @param {string} name */
+        const errorOf = (name) => answer.max_abs[name][answer.sizes.indexOf(texels)];
+        plot.marker(
+          texels,
+          DEPTHS.map((d) => ({ id: d.depth, y: decades(errorOf(d.depth)) })),
+        );
+        const error = errorOf(depth.depth);
+        setText(
+          verdict,
+          error === null
+            ? "Integers hold 0 to 1, and this curve goes beyond: take floats."
+            : `${now.table_size} texels, ${depth.label}: at no angle off by more than ${scientific(error)}.`,
+        );
+        files = filesOf(now, id, error === null ? [] : depth.formats);
+      }
+      show(sayProblem(problem), files);
     },
     theme: () => plot.theme(),
     destroy: () => plot.destroy(),
   };
+
+  /** @param {any} answer */
+  function draw({ sizes, max_abs }) {
+    if (!changed(max_abs)) return;
+    void plot.draw(
+      DEPTHS.map(({ depth, label }, i) => ({
+        id: depth,
+        label,
+        x: sizes,
+        y: max_abs[depth].map(decades),
+        width: 2,
+        .../** @type {{color: string, dash: string}} */ (LOOKS[i]),
+      })),
+    );
+  }
 }
