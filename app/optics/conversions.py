@@ -40,7 +40,7 @@ from app.optics.edge_tint import (
 )
 from app.optics.errors import NotAllowed
 from app.optics.interface import Interface, normal_reflectance
-from app.optics.parameters import K_T, N_I, N_T, Array, Parameter
+from app.optics.parameters import K_T, N_I, N_T, Array, Parameter, share
 from app.optics.specular import F82, tint_at_82
 
 Status = Literal["exact", "lossy", "infeasible"]
@@ -53,14 +53,10 @@ REFLECTANCE_F0 = 0.16
 _LARGEST_ETA = 1e5  # beyond it, F0 > 0.99996, there is nothing but a mirror
 
 
-def _unit(name: str, symbol: str, description: str, triple: bool = False) -> Parameter:
-    return Parameter(name, symbol, None, 0.0, 1.0, "", description, triple=triple)
-
-
-F0_LINEAR = _unit("F0", "F_0", "Reflectance at normal incidence, linear.", triple=True)
-F0_SRGB = _unit("F0_srgb", r"F_0^\text{sRGB}", "F0 as an sRGB value, 0 to 1.", triple=True)
-SPECULAR = _unit("specular", r"\text{specular}", "Specular level, F0 / 0.08.")
-FILAMENT = _unit("reflectance", r"\text{reflectance}", "Filament's reflectance, sqrt(F0 / 0.16).")
+F0_LINEAR = share("F0", "F_0", "Reflectance at normal incidence, linear.", triple=True)
+F0_SRGB = share("F0_srgb", r"F_0^\text{sRGB}", "F0 as an sRGB value, 0 to 1.", triple=True)
+SPECULAR = share("specular", r"\text{specular}", "Specular level, F0 / 0.08.")
+FILAMENT = share("reflectance", r"\text{reflectance}", "Filament's reflectance, sqrt(F0 / 0.16).")
 SEEN_FROM = Parameter(
     "seen_from",
     "n_i'",

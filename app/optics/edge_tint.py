@@ -22,39 +22,27 @@ from __future__ import annotations
 import numpy as np
 
 from app.optics.interface import Interface
-from app.optics.parameters import K_T, N_I, N_T, Array, Parameter
+from app.optics.parameters import K_T, N_I, N_T, RGB, UNLESS_GIVEN, Array, share
 
-REFLECTANCE = Parameter(
+REFLECTANCE = share(
     "r",
     "r",
-    None,
-    0.0,
-    0.9999,
-    "",
-    "Reflectance at normal incidence, F0; that of the interface unless given. Three values are R, "
-    "G and B.",
+    f"Reflectance at normal incidence, F0; {UNLESS_GIVEN}.{RGB}",
+    maximum=0.9999,
     triple=True,
 )
-EDGE_TINT = Parameter(
+EDGE_TINT = share(
     "g",
     "g",
-    None,
-    0.0,
-    1.0,
-    "",
-    "Gulbrandsen's edge tint, 0 for a dielectric to 1 for |N| = 1; that of the interface unless "
-    "given, where it exceeds 1 if |N| < 1. Three values are R, G and B.",
+    f"Gulbrandsen's edge tint, 0 for a dielectric to 1 for |N| = 1; {UNLESS_GIVEN}, where it exceeds 1 "
+    f"if |N| < 1.{RGB}",
     triple=True,
 )
-TINT_ANGLE = Parameter(
+TINT_ANGLE = share(
     "G",
     "G",
-    None,
-    0.0,
-    1.0,
-    "",
-    "D'Eon's edge tint, the angle about the circle's center over pi, 0 for a dielectric; that of "
-    "the interface unless given. Three values are R, G and B.",
+    "D'Eon's edge tint, the angle about the circle's center over pi, 0 for a dielectric; "
+    f"{UNLESS_GIVEN}.{RGB}",
     triple=True,
 )
 

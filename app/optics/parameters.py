@@ -106,6 +106,22 @@ class Parameter:
         return inside
 
 
+UNLESS_GIVEN = "that of the interface unless given"
+RGB = " Three values are R, G and B."
+
+
+def share(
+    name: str,
+    symbol: str,
+    description: str,
+    default: float | None = None,
+    maximum: float = 1.0,
+    triple: bool = False,
+) -> Parameter:
+    """Declare a pure number from 0 to 1."""
+    return Parameter(name, symbol, default, 0.0, maximum, "", description, triple=triple)
+
+
 class AboveMinimum(Parameter):
     """A number that the minimum itself is not allowed for."""
 

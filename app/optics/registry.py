@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any, Literal
@@ -12,6 +12,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from app.optics.collection import Collection
 from app.optics.errors import NotAllowed, OutOfRange, UnknownModel
 from app.optics.formulas.formula import Symbol
 from app.optics.incidence import Incidence
@@ -20,6 +21,9 @@ from app.optics.numerics.blocks import broadcast, in_blocks
 from app.optics.parameters import Array, Parameter
 
 ModelKind = Literal["exact", "approximation"]
+
+COLORS = frozenset({"F0", "F82", "tint"})
+"""Parameters that a material's color gives."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -62,24 +66,14 @@ class Measured:
     at_deg: float
     rms: float
 
+    @property
+    def media(self) -> tuple[float, float, float]:
+        """The interface's three indices."""
+        return self.n_i, self.n_t, self.k_t
 
-@dataclass(frozen=True, slots=True)
-class Rounding:
-    """What rounding costs an exact form at one interface, as a power of ten.
 
-    Attributes
-    ----------
-    n_i, n_t, k_t
-        The interface.
-    max_relative
-        Largest error relative to R at the whole degrees from 0 to 89, rounded up to a power of ten;
-        a test measures it against 50-digit arithmetic.
-    """
-
-    n_i: float
-    n_t: float
-    k_t: float
-    max_relative: float
+ROUNDED_AT = ((1.0, 1.5, 0.0), (1.0, 1.000001, 0.0))
+"""Interfaces at which it is said what rounding costs an exact form: glass, and next to no boundary."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -93,10 +87,8 @@ class Model:
     ----------
     id, title
         Name in the API (lower case, underscores) and name on the page.
-    kind
-        'exact' for forms algebraically equal to Fresnel's equations, else 'approximation'.
     applies_to
-        Kinds of interface the formula was made for.
+        Kinds of interface the formula was made for, both unless given.
     latex
         The formula, in KaTeX's subset of LaTeX.
     reference
@@ -127,20 +119,21 @@ class Model:
         quantities of the interface, equal to it but fit for 32 bit floats and real arithmetic; or
         in words why there is none.
     rounding
-        The same of an exact form, which differs from the others by rounding alone.
+        Of an exact form, which differs from the others by rounding alone: the largest errors
+        relative to R at the whole degrees from 0 to 89 at each of `ROUNDED_AT`, rounded up to a
+        power of ten, which a test measures against 50-digit arithmetic.
     symbols
         Letters of `latex` that neither the common glossary nor the parameters explain.
     """
 
     id: str
     title: str
-    kind: ModelKind
-    applies_to: tuple[Kind, ...]
     latex: str
     reference: str
     validity: str
     cost: Cost
     function: Callable[..., Array]
+    applies_to: tuple[Kind, ...] = ("dielectric", "conductor")
     parameters: tuple[Parameter, ...] = ()
     solve: Callable[..., Mapping[str, Array]] | None = None
     limits: Callable[[Interface], str | None] = field(default=lambda _: None)
@@ -148,7 +141,7 @@ class Model:
     trap: bool = False
     measured: tuple[Measured, ...] = ()
     snippet: Callable[..., Array] | str | None = None
-    rounding: tuple[Rounding, ...] = ()
+    rounding: tuple[float, float] | None = None
     symbols: tuple[Symbol, ...] = ()
 
     def __post_init__(self) -> None:
@@ -156,6 +149,17 @@ class Model:
         unsolved = [parameter.name for parameter in self.parameters if parameter.default is None]
         if unsolved and self.solve is None:
             raise ValueError(f"{self.id}: {unsolved} have neither a default nor a way to be solved")
+
+    @property
+    def kind(self) -> ModelKind:
+        """'exact' for forms algebraically equal to Fresnel's equations, else 'approximation'."""
+        return "approximation" if self.rounding is None else "exact"
+
+    @property
+    def takes_color(self) -> bool:
+        """Whether a material's color, F0 with F82 or a tint, is all that it has to be given."""
+        solved = {parameter.name for parameter in self.parameters if parameter.default is None}
+        return "F0" in solved and solved <= COLORS
 
     def __call__(
         self, interface: Interface, incidence: Incidence, **parameters: ArrayLike | None
@@ -221,43 +225,12 @@ class Model:
         return self.limits(interface)
 
 
-class Registry(Mapping[str, Model]):
-    """Models by id, in order: `exact` first, then exact forms, then approximations."""
+class Registry(Collection[Model]):
+    """Models in order: `exact` first, then exact forms, then approximations."""
 
     def __init__(self, models: Iterable[Model]) -> None:
         ordered = sorted(models, key=lambda m: (m.id != "exact", m.kind != "exact", m.id))
-        self._models = {model.id: model for model in ordered}
-        if len(self._models) != len(ordered):
-            raise ValueError("two models share an id")
-
-    def __getitem__(self, model_id: str) -> Model:
-        """Return the model of that id.
-
-        Raises
-        ------
-        KeyError
-            If there is none; `find` raises an error for users instead.
-        """
-        return self._models[model_id]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._models)
-
-    def __len__(self) -> int:
-        return len(self._models)
-
-    def find(self, model_id: str, parameter: str = "models") -> Model:
-        """Return the model of that id.
-
-        Raises
-        ------
-        UnknownModel
-            If there is none, naming the nearest ids.
-        """
-        try:
-            return self._models[model_id]
-        except KeyError:
-            raise UnknownModel(parameter, model_id, self._models) from None
+        super().__init__(ordered, UnknownModel, "models")
 
 
 @cache

@@ -10,33 +10,20 @@ from app.optics.amplitudes import reflectance
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface, worked_out_once
 from app.optics.numerics.choice import anywhere
-from app.optics.parameters import Array, Number, Parameter
+from app.optics.parameters import RGB, UNLESS_GIVEN, Array, Number, share
 
 MU_BAR = 1.0 / 7.0
 """Cosine at which F82 is taken, about 81.8 degrees (Hoffman 2019; Kutz et al. 2021)."""
 
 _AT_82 = Incidence.from_cosine(MU_BAR)
 
-F0_PARAMETER = Parameter(
-    "F0",
-    "F_0",
-    None,
-    0.0,
-    1.0,
-    "",
-    "Reflectance at normal incidence, linear; that of the interface unless given. Three values are "
-    "R, G and B.",
-    triple=True,
+F0_PARAMETER = share(
+    "F0", "F_0", f"Reflectance at normal incidence, linear; {UNLESS_GIVEN}.{RGB}", triple=True
 )
-F82_PARAMETER = Parameter(
+F82_PARAMETER = share(
     "F82",
     r"F_{82}",
-    None,
-    0.0,
-    1.0,
-    "",
-    "Reflectance at cos(theta_i) = 1/7, about 82 degrees, linear; that of the interface unless "
-    "given. Three values are R, G and B.",
+    f"Reflectance at cos(theta_i) = 1/7, about 82 degrees, linear; {UNLESS_GIVEN}.{RGB}",
     triple=True,
 )
 

@@ -33,7 +33,6 @@ SHARE = Parameter("share", "s", 0.25, 0.0, 1.0, "", "Part that is reflected.")
 MODEL = Model(
     id="mirror_share",
     title="Constant share",
-    kind="approximation",
     applies_to=("dielectric",),
     latex=r"R\\approx s",
     reference="Nobody, Nowhere (2000)",

@@ -21,12 +21,10 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.numerics.quadrature import Nodes, crowded_gauss_legendre
 from app.optics.parameters import K_T, N_I, N_T, Array
-from app.optics.registry import Model, Registry
+from app.optics.registry import COLORS, Model, Registry
 from app.optics.specular import tint_at_82
 
 CHANNELS = ("red", "green", "blue")
-COLORS = frozenset({"F0", "F82", "tint"})
-"""Parameters of models that a material's color gives."""
 _SPLIT = 0.3  # of the integral over the cosine: half of what happens, happens close to grazing
 
 
@@ -74,12 +72,6 @@ class RgbModel:
     evaluate: Callable[[Incidence], Array]
 
 
-def takes_color(model: Model) -> bool:
-    """Whether a material's color is all that a model has to be given."""
-    solved = {p.name for p in model.parameters if p.default is None}
-    return "F0" in solved and solved <= COLORS
-
-
 def check_models(models: list[Model], registry: Registry) -> None:
     """Refuse models that cannot be given a color.
 
@@ -89,8 +81,8 @@ def check_models(models: list[Model], registry: Registry) -> None:
         Naming those that can.
     """
     for model in models:
-        if model.id != "exact" and not takes_color(model):
-            able = [m.id for m in registry.values() if takes_color(m)]
+        if model.id != "exact" and not model.takes_color:
+            able = [m.id for m in registry.values() if m.takes_color]
             raise NotAllowed("models", model.id, f"one of {', '.join(('exact', *able))}")
 
 

@@ -29,16 +29,13 @@ from app.optics.amplitudes import power
 from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.optics.parameters import Array, Parameter
+from app.optics.parameters import Array, share
 
-BODY_ALBEDO = Parameter(
+BODY_ALBEDO = share(
     "body_albedo",
     r"\rho",
-    0.5,
-    0.0,
-    1.0,
-    "",
     "Share of the light reaching the diffuse body under the coat that it scatters back.",
+    default=0.5,
 )
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
 from functools import cache
 
 import numpy as np
@@ -11,6 +10,7 @@ from app.optics.albedo import albedo
 from app.optics.albedo.fit import Claim, Fit
 from app.optics.albedo.fits import FITS
 from app.optics.amplitudes import power
+from app.optics.collection import Collection
 from app.optics.errors import UnknownName
 from app.optics.formulas import albedo as exact_albedos
 from app.optics.formulas import angles, conversions
@@ -30,7 +30,7 @@ from app.optics.formulas.symbols import explain
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T
-from app.optics.registry import Measured, Model, Registry, Rounding, default_registry
+from app.optics.registry import ROUNDED_AT, Measured, Model, Registry, default_registry
 
 CONVENTIONS: dict[FormulaKind, str] = {
     "model": "Angles from the surface normal, mu = cos(theta_i); N = n + i k, k of at least 0, time "
@@ -55,10 +55,12 @@ class UnknownFormula(UnknownName):
 
 def of_model(model: Model) -> Formula:
     """Show a model: its curve beside the exact one over the angle."""
-    measured = [_at_interface(stated) for stated in model.measured]
-    rounding = [_rounded_at(stated) for stated in model.rounding]
-    stated: tuple[Measured | Rounding, ...] = (*model.measured, *model.rounding)
-    at = Interface(stated[0].n_i, stated[0].n_t, stated[0].k_t) if stated else Interface()
+    measured = [_measured_at(stated) for stated in model.measured]
+    rounded = [
+        rounding(most, "R", f"{_words(*media)}, whole degrees below 90")
+        for media, most in zip(ROUNDED_AT, model.rounding or (), strict=False)
+    ]
+    at = model.measured[0].media if model.measured else ROUNDED_AT[0]
 
     def curve(interface: Interface, samples: int) -> Curve:
         theta = np.linspace(0.0, 90.0, samples)
@@ -74,8 +76,8 @@ def of_model(model: Model) -> Formula:
         latex=model.latex,
         reference=model.reference,
         validity=model.validity,
-        accuracy=(*measured, *rounding),
-        at=at,
+        accuracy=(*measured, *rounded),
+        at=Interface(*at),
         takes=(N_I, N_T, K_T),
         symbols=model.symbols,
         parameters=model.parameters,
@@ -112,17 +114,13 @@ def of_fit(fit: Fit) -> Formula:
     )
 
 
-def _words(stated: Measured | Rounding) -> str:
-    return f"n_i = {stated.n_i:g}, n_t = {stated.n_t:.7g}, k_t = {stated.k_t:g}"
+def _words(n_i: float, n_t: float, k_t: float) -> str:
+    return f"n_i = {n_i:g}, n_t = {n_t:.7g}, k_t = {k_t:g}"
 
 
-def _at_interface(stated: Measured) -> Accuracy:
-    over = f"{_words(stated)}, largest at {stated.at_deg:g} degrees"
+def _measured_at(stated: Measured) -> Accuracy:
+    over = f"{_words(*stated.media)}, largest at {stated.at_deg:g} degrees"
     return Accuracy(value=stated.max_abs, of="R", over=over, against="exact")
-
-
-def _rounded_at(stated: Rounding) -> Accuracy:
-    return rounding(stated.max_relative, "R", f"{_words(stated)}, whole degrees below 90")
 
 
 def _claimed(claim: Claim) -> Accuracy:
@@ -134,42 +132,18 @@ def _claimed(claim: Claim) -> Accuracy:
     )
 
 
-class Formulas(Mapping[str, Formula]):
-    """Formulas by id: models, exact albedos, fits, angles, conversions, each in its registry's order."""
+class Formulas(Collection[Formula]):
+    """Models, exact albedos, fits, angles, conversions, each in its registry's order."""
 
     def __init__(self, registry: Registry) -> None:
-        all_of_them = (
+        every = (
             *(of_model(model) for model in registry.values()),
             *exact_albedos.FORMULAS,
             *(of_fit(fit) for fit in FITS.values()),
             *angles.FORMULAS,
             *conversions.FORMULAS,
         )
-        self._formulas = {formula.id: formula for formula in all_of_them}
-        if len(self._formulas) != len(all_of_them):
-            raise ValueError("two formulas share an id")
-
-    def __getitem__(self, formula_id: str) -> Formula:
-        return self._formulas[formula_id]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._formulas)
-
-    def __len__(self) -> int:
-        return len(self._formulas)
-
-    def find(self, formula_id: str, parameter: str = "formula_id") -> Formula:
-        """Return the formula of that id.
-
-        Raises
-        ------
-        UnknownFormula
-            If there is none, naming the nearest ids.
-        """
-        try:
-            return self._formulas[formula_id]
-        except KeyError:
-            raise UnknownFormula(parameter, formula_id, self._formulas) from None
+        super().__init__(every, UnknownFormula, "formula_id")
 
 
 def symbols_of(formula: Formula) -> list[Symbol]:

@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 
 
 def complex_dielectric(interface: Interface, incidence: Incidence) -> Array:
@@ -21,7 +18,6 @@ def complex_dielectric(interface: Interface, incidence: Incidence) -> Array:
 MODEL = Model(
     id="complex_dielectric",
     title="Dielectric formula with a complex index (trap)",
-    kind="approximation",
     trap=True,
     applies_to=("conductor",),
     latex=r"R\approx\left|\tfrac12\,\frac{(g-c)^2}{(g+c)^2}"

@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Model, Rounding
+from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
 def complex_form(interface: Interface, incidence: Incidence) -> Array:
@@ -21,8 +18,6 @@ def complex_form(interface: Interface, incidence: Incidence) -> Array:
 MODEL = Model(
     id="complex_form",
     title="Complex form",
-    kind="exact",
-    applies_to=("dielectric", "conductor"),
     latex=r"r_s=\frac{n_i\cos\theta_i-q}{n_i\cos\theta_i+q},\quad "
     r"r_p=\frac{N^2\cos\theta_i-n_i q}{N^2\cos\theta_i+n_i q},\quad "
     r"q=\sqrt{N^2-n_i^2\sin^2\theta_i},\quad N=n_t+ik_t",
@@ -34,8 +29,5 @@ MODEL = Model(
     function=complex_form,
     snippet="it is written in complex numbers, which shading languages lack; exact is the same in "
     "real ones",
-    rounding=(
-        Rounding(1, 1.5, 0, max_relative=1e-14),
-        Rounding(1, 1.000001, 0, max_relative=1e-9),
-    ),
+    rounding=(1e-14, 1e-9),
 )

@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 from app.optics.specular import F0_PARAMETER, no_critical_angle, only_F0
 
 
@@ -24,8 +21,6 @@ def cook_torrance(interface: Interface, incidence: Incidence, F0: Array) -> Arra
 MODEL = Model(
     id="cook_torrance",
     title="Cook and Torrance: dielectric of the same F0",
-    kind="approximation",
-    applies_to=("dielectric", "conductor"),
     latex=r"R\approx\tfrac12\,\frac{(g-c)^2}{(g+c)^2}"
     r"\left(1+\frac{(c(g+c)-1)^2}{(c(g-c)+1)^2}\right),\quad g=\sqrt{n^2-1+c^2},\quad "
     r"c=\cos\theta_i,\quad "

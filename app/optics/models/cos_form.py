@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Model, Rounding
+from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
 def cos_form(interface: Interface, incidence: Incidence) -> Array:
@@ -20,7 +17,6 @@ def cos_form(interface: Interface, incidence: Incidence) -> Array:
 MODEL = Model(
     id="cos_form",
     title="Cosine form",
-    kind="exact",
     applies_to=("dielectric",),
     latex=r"R=\tfrac12\left(\frac{n_i\cos\theta_i-n_t\cos\theta_t}{n_i\cos\theta_i+n_t\cos\theta_t}"
     r"\right)^2+\tfrac12\left(\frac{n_i\cos\theta_t-n_t\cos\theta_i}{n_i\cos\theta_t+n_t\cos\theta_i}"
@@ -30,8 +26,5 @@ MODEL = Model(
     "n_t approaches n_i, and is 0/0 for n_t = n_i at 90 degrees.",
     cost=Cost(add=7, mul=11, div=2, sqrt=1),
     function=cos_form,
-    rounding=(
-        Rounding(1, 1.5, 0, max_relative=1e-14),
-        Rounding(1, 1.000001, 0, max_relative=1e-9),
-    ),
+    rounding=(1e-14, 1e-9),
 )

@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Model, Rounding
+from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
 def deon_gc(interface: Interface, incidence: Incidence) -> Array:
@@ -25,7 +22,6 @@ def deon_gc(interface: Interface, incidence: Incidence) -> Array:
 MODEL = Model(
     id="deon_gc",
     title="d'Eon's g, c form",
-    kind="exact",
     applies_to=("dielectric",),
     latex=r"R=\tfrac12\,\frac{(g-c)^2}{(g+c)^2}"
     r"\left(1+\frac{(c(g+c)-1)^2}{(c(g-c)+1)^2}\right),\quad "
@@ -36,8 +32,5 @@ MODEL = Model(
     "approaches 1, and is 0/0 for eta = 1 at 90 degrees.",
     cost=Cost(add=8, mul=10, div=2, sqrt=1),
     function=deon_gc,
-    rounding=(
-        Rounding(1, 1.5, 0, max_relative=1e-14),
-        Rounding(1, 1.000001, 0, max_relative=1e-9),
-    ),
+    rounding=(1e-14, 1e-9),
 )

@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Model, Rounding
+from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
 def deon_pq(interface: Interface, incidence: Incidence) -> Array:
@@ -25,8 +22,6 @@ def deon_pq(interface: Interface, incidence: Incidence) -> Array:
 MODEL = Model(
     id="deon_pq",
     title="d'Eon's p, q form",
-    kind="exact",
-    applies_to=("dielectric", "conductor"),
     latex=r"\rho_\perp=\frac{(n_i\cos\theta-p)^2+q^2}{(n_i\cos\theta+p)^2+q^2},\quad "
     r"\rho_\parallel=\rho_\perp\,\frac{(p-n_i\sin\theta\tan\theta)^2+q^2}"
     r"{(p+n_i\sin\theta\tan\theta)^2+q^2},\quad R=\tfrac12(\rho_\perp+\rho_\parallel),"
@@ -37,8 +32,5 @@ MODEL = Model(
     "and it loses digits as eta approaches 1.",
     cost=Cost(add=13, mul=15, div=3, sqrt=2),
     function=deon_pq,
-    rounding=(
-        Rounding(1, 1.5, 0, max_relative=1e-14),
-        Rounding(1, 1.000001, 0, max_relative=1e-9),
-    ),
+    rounding=(1e-14, 1e-9),
 )

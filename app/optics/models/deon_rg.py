@@ -6,11 +6,8 @@ import numpy as np
 
 from app.optics.amplitudes import reflectance
 from app.optics.edge_tint import REFLECTANCE, TINT_ANGLE, deon_G, deon_index, relative_interface
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
+from app.optics.models import Array, Cost, Incidence, Interface, Model
 from app.optics.models.exact import exact_real
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Model, Rounding
 
 
 def deon_rg(interface: Interface, incidence: Incidence, r: Array, G: Array) -> Array:  # noqa: ARG001
@@ -34,8 +31,6 @@ def _solve(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
 MODEL = Model(
     id="deon_rg",
     title="d'Eon's reflectance and tint angle",
-    kind="exact",
-    applies_to=("dielectric", "conductor"),
     latex=r"\eta=\frac{1+r}{1-r}+\rho\cos\pi G,\quad \kappa=\rho\sin\pi G,\quad "
     r"\rho=\frac{2\sqrt r}{1-r},\quad R=R_\text{exact}(\eta,\kappa)",
     reference="E. d'Eon, Fresnel Boundaries, notebook to A Hitchhiker's Guide to Multiple Scattering "
@@ -45,10 +40,7 @@ MODEL = Model(
     cost=Cost(add=20, mul=31, div=5, sqrt=4, trig=2),
     function=deon_rg,
     snippet=deon_rg_real,
-    rounding=(
-        Rounding(1, 1.5, 0, max_relative=1e-14),
-        Rounding(1, 1.000001, 0, max_relative=1e-14),
-    ),
+    rounding=(1e-14, 1e-14),
     parameters=(REFLECTANCE, TINT_ANGLE),
     solve=_solve,
 )

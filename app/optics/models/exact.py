@@ -3,10 +3,7 @@
 import numpy as np
 
 from app.optics.amplitudes import reflectance
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Model, Rounding
+from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
 def exact(interface: Interface, incidence: Incidence) -> Array:
@@ -36,8 +33,6 @@ def exact_real(mu: Array, eta: Array, kappa: Array) -> Array:
 MODEL = Model(
     id="exact",
     title="Exact Fresnel",
-    kind="exact",
-    applies_to=("dielectric", "conductor"),
     latex=r"R=\tfrac12\left(|r_s|^2+|r_p|^2\right),\quad "
     r"r_s=\frac{1-N^2}{(\mu+q)^2},\quad "
     r"r_p=\frac{(N^2-1)(N^2\mu^2-\sin^2\theta_i)}{(N^2\mu+q)^2},\quad "
@@ -49,8 +44,5 @@ MODEL = Model(
     cost=Cost(add=15, mul=24, div=3, sqrt=2),
     function=exact,
     snippet=exact_real,
-    rounding=(
-        Rounding(1, 1.5, 0, max_relative=1e-14),
-        Rounding(1, 1.000001, 0, max_relative=1e-14),
-    ),
+    rounding=(1e-14, 1e-14),
 )

@@ -4,21 +4,22 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array, Parameter
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import (
+    RGB,
+    Array,
+    Cost,
+    Incidence,
+    Interface,
+    Measured,
+    Model,
+    share,
+)
 from app.optics.specular import DIP_SCALE, F0_PARAMETER, F82, MU_BAR, dip, polynomial, tint_at_82
 
-TINT = Parameter(
+TINT = share(
     "tint",
     r"\text{tint}",
-    None,
-    0.0,
-    1.0,
-    "",
-    "Reflectance at 82 degrees over Schlick's there; from the interface unless given. Three values "
-    "are R, G and B.",
+    f"Reflectance at 82 degrees over Schlick's there; from the interface unless given.{RGB}",
     triple=True,
 )
 
@@ -36,7 +37,6 @@ def _solve(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
 MODEL = Model(
     id="f82_tint",
     title="F82-tint",
-    kind="approximation",
     applies_to=("conductor",),
     latex=r"R\approx S(\mu)-\frac{\mu(1-\mu)^6}{\bar\mu(1-\bar\mu)^6}\,S(\bar\mu)\,"
     r"(1-\text{tint}),\quad S(\mu)=F_0+(1-F_0)(1-\mu)^5,\quad \bar\mu=\tfrac17",

@@ -4,20 +4,24 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array, Parameter
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import (
+    RGB,
+    Array,
+    Cost,
+    Incidence,
+    Interface,
+    Measured,
+    Model,
+    Parameter,
+    share,
+)
 from app.optics.specular import DIP_SCALE, F0_PARAMETER, F82, MU_BAR, dip, no_critical_angle
 
-F90 = Parameter(
+F90 = share(
     "F90",
     "F_{90}",
-    1.0,
-    0.0,
-    1.0,
-    "",
-    "Reflectance at grazing incidence; 1 for every real surface. Three values are R, G and B.",
+    f"Reflectance at grazing incidence; 1 for every real surface.{RGB}",
+    default=1.0,
     triple=True,
 )
 EXPONENT = Parameter(
@@ -60,8 +64,6 @@ def _solve(
 MODEL = Model(
     id="generalized_schlick",
     title="Generalized Schlick",
-    kind="approximation",
-    applies_to=("dielectric", "conductor"),
     latex=r"R\approx F_0+(F_{90}-F_0)(1-\mu)^q-a\,\mu(1-\mu)^6",
     reference="N. Hoffman, Fresnel Equations Considered Harmful, Eurographics Workshop on Material "
     "Appearance Modeling (2019), doi:10.2312/mam.20191305; MaterialX, generalized_schlick_bsdf",

@@ -12,11 +12,8 @@ from app.optics.edge_tint import (
     gulbrandsen_index,
     relative_interface,
 )
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
+from app.optics.models import Array, Cost, Incidence, Interface, Model
 from app.optics.models.exact import exact_real
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Model, Rounding
 
 
 def gulbrandsen_rg(interface: Interface, incidence: Incidence, r: Array, g: Array) -> Array:  # noqa: ARG001
@@ -48,8 +45,6 @@ def _outside(interface: Interface) -> str | None:
 MODEL = Model(
     id="gulbrandsen_rg",
     title="Gulbrandsen's reflectance and edge tint",
-    kind="exact",
-    applies_to=("dielectric", "conductor"),
     latex=r"\eta=g\,\frac{1-r}{1+r}+(1-g)\,\frac{1+\sqrt r}{1-\sqrt r},\quad "
     r"\kappa^2=\frac{r(\eta+1)^2-(\eta-1)^2}{1-r},\quad R=R_\text{exact}(\eta,\kappa)",
     reference="O. Gulbrandsen, Artist Friendly Metallic Fresnel, Journal of Computer Graphics "
@@ -59,10 +54,7 @@ MODEL = Model(
     cost=Cost(add=23, mul=30, div=6, sqrt=4),
     function=gulbrandsen_rg,
     snippet=gulbrandsen_rg_real,
-    rounding=(
-        Rounding(1, 1.5, 0, max_relative=1e-14),
-        Rounding(1, 1.000001, 0, max_relative=1e-14),
-    ),
+    rounding=(1e-14, 1e-14),
     parameters=(REFLECTANCE, EDGE_TINT),
     solve=_solve,
     limits=_outside,

@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 from app.optics.specular import (
     DIP_SCALE,
     F0_PARAMETER,
@@ -26,7 +23,6 @@ def hoffman_f82(interface: Interface, incidence: Incidence, F0: Array, F82: Arra
 MODEL = Model(
     id="hoffman_f82",
     title="Hoffman's F82",
-    kind="approximation",
     applies_to=("conductor",),
     latex=r"R\approx F_0+(1-F_0)(1-\mu)^5-a\,\mu(1-\mu)^6,\quad "
     r"a=17.6513846\,(F_0-F_{82})+8.16666667\,(1-F_0)",

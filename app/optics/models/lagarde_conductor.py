@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Model, Rounding
+from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
 def lagarde_conductor(interface: Interface, incidence: Incidence) -> Array:
@@ -27,8 +24,6 @@ def lagarde_conductor(interface: Interface, incidence: Incidence) -> Array:
 MODEL = Model(
     id="lagarde_conductor",
     title="Lagarde's conductor shader",
-    kind="exact",
-    applies_to=("dielectric", "conductor"),
     latex=r"R_s=\frac{m+\mu^2-2a\mu}{m+\mu^2+2a\mu},\quad "
     r"R_p=R_s\,\frac{\mu^2 m+\sin^4\theta-2a\mu\sin^2\theta}"
     r"{\mu^2 m+\sin^4\theta+2a\mu\sin^2\theta},\quad m=a^2+b^2,"
@@ -38,8 +33,5 @@ MODEL = Model(
     "without absorption, and is 0/0 for eta = 1 at 90 degrees.",
     cost=Cost(add=11, mul=14, div=2, sqrt=2),
     function=lagarde_conductor,
-    rounding=(
-        Rounding(1, 1.5, 0, max_relative=1e-14),
-        Rounding(1, 1.000001, 0, max_relative=0.001),
-    ),
+    rounding=(1e-14, 0.001),
 )

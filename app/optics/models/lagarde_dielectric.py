@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Model, Rounding
+from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
 def lagarde_dielectric(interface: Interface, incidence: Incidence) -> Array:
@@ -20,7 +17,6 @@ def lagarde_dielectric(interface: Interface, incidence: Incidence) -> Array:
 MODEL = Model(
     id="lagarde_dielectric",
     title="Lagarde's dielectric shader",
-    kind="exact",
     applies_to=("dielectric",),
     latex=r"R=\tfrac12\left(\frac{\mu-\eta t}{\mu+\eta t}\right)^2"
     r"+\tfrac12\left(\frac{t-\eta\mu}{t+\eta\mu}\right)^2,\quad "
@@ -30,8 +26,5 @@ MODEL = Model(
     "eta approaches 1, and is 0/0 for eta = 1 at 90 degrees.",
     cost=Cost(add=7, mul=7, div=3, sqrt=1),
     function=lagarde_dielectric,
-    rounding=(
-        Rounding(1, 1.5, 0, max_relative=1e-14),
-        Rounding(1, 1.000001, 0, max_relative=1e-9),
-    ),
+    rounding=(1e-14, 1e-9),
 )

@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Model, Rounding
+from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
 def lagarde_gc(interface: Interface, incidence: Incidence) -> Array:
@@ -21,7 +18,6 @@ def lagarde_gc(interface: Interface, incidence: Incidence) -> Array:
 MODEL = Model(
     id="lagarde_gc",
     title="Lagarde's g, c shader",
-    kind="exact",
     applies_to=("dielectric",),
     latex=r"R=\frac{(g-c)^2}{2(g+c)^2}\left(1+\frac{(c(g+c)-1)^2}{(c(g-c)+1)^2}\right),\quad "
     r"g=\sqrt{\eta^2+c^2-1},\quad c=\cos\theta_i,\quad R=1\ \text{for}\ g^2<0",
@@ -30,8 +26,5 @@ MODEL = Model(
     "approaches 1, and is 0/0 for eta = 1 at 90 degrees.",
     cost=Cost(add=8, mul=8, div=2, sqrt=1),
     function=lagarde_gc,
-    rounding=(
-        Rounding(1, 1.5, 0, max_relative=1e-14),
-        Rounding(1, 1.000001, 0, max_relative=1e-9),
-    ),
+    rounding=(1e-14, 1e-9),
 )

@@ -7,12 +7,9 @@ from numpy.typing import NDArray
 from scipy.optimize.elementwise import find_root
 
 from app.optics.amplitudes import amplitudes, reflectance, wave
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model, Parameter
 from app.optics.models.lagarde_conductor import lagarde_conductor
 from app.optics.models.schlick_ior import schlick_ior
-from app.optics.parameters import Array, Parameter
-from app.optics.registry import Cost, Measured, Model
 
 ALPHA = Parameter(
     "alpha",
@@ -115,7 +112,6 @@ def _outside(interface: Interface) -> str | None:
 MODEL = Model(
     id="lazanyi2005",
     title="Lazanyi and Szirmay-Kalos",
-    kind="approximation",
     applies_to=("conductor",),
     latex=r"R\approx\frac{(n_t-n_i)^2+4n_tn_i(1-\mu)^5+k_t^2}{(n_t+n_i)^2+k_t^2}"
     r"-a\,\mu(1-\mu)^\alpha,\quad a=2\,\frac{n_t}{n_i}",

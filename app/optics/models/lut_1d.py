@@ -5,11 +5,8 @@ import numpy as np
 from app.optics.amplitudes import reflectance
 from app.optics.errors import NotAllowed
 from app.optics.formulas.formula import Symbol
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
 from app.optics.lookup import Depth, quantize
-from app.optics.parameters import Array, Parameter
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model, Parameter
 
 SIZE = Parameter("size", "N", 256, 2, 4096, "texels", "Texels of the table.", integer=True)
 BITS = Parameter(
@@ -71,8 +68,6 @@ def _kinks(size: Array, filtering: Array, **_: Array) -> Array:
 MODEL = Model(
     id="lut_1d",
     title="Lookup texture",
-    kind="approximation",
-    applies_to=("dielectric", "conductor"),
     latex=r"R\approx(1-f)\,T_j+f\,T_{j+1},\quad j+f=\mu\,(N-1),\quad "
     r"T_j=R_\text{exact}\!\left(\arccos\tfrac{j}{N-1}\right)",
     symbols=(Symbol("T_{j+1}", "next texel"),),

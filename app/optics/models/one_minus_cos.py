@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 from app.optics.specular import no_critical_angle
 
 
@@ -17,7 +14,6 @@ def one_minus_cos(interface: Interface, incidence: Incidence) -> Array:  # noqa:
 MODEL = Model(
     id="one_minus_cos",
     title="1 - cos",
-    kind="approximation",
     applies_to=("dielectric",),
     latex=r"R\approx 1-\mu",
     reference="M. Wloka, Fresnel Reflection, NVIDIA technical report (2002), figures 4 and 15",

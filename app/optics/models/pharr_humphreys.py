@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 
 
 def pharr_humphreys(interface: Interface, incidence: Incidence) -> Array:
@@ -20,7 +17,6 @@ def pharr_humphreys(interface: Interface, incidence: Incidence) -> Array:
 MODEL = Model(
     id="pharr_humphreys",
     title="Pharr and Humphreys' conductor",
-    kind="approximation",
     applies_to=("conductor",),
     latex=r"R_s\approx\frac{t-2\eta\mu+\mu^2}{t+2\eta\mu+\mu^2},\quad "
     r"R_p\approx\frac{t\mu^2-2\eta\mu+1}{t\mu^2+2\eta\mu+1},\quad t=\eta^2+\kappa^2,\quad "

@@ -1,9 +1,6 @@
 """Schlick's polynomial, the approximation in nearly every renderer."""
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 from app.optics.specular import F0_PARAMETER, no_critical_angle, only_F0, polynomial
 
 
@@ -15,8 +12,6 @@ def schlick(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # 
 MODEL = Model(
     id="schlick",
     title="Schlick",
-    kind="approximation",
-    applies_to=("dielectric", "conductor"),
     latex=r"R\approx F_0+(1-F_0)(1-\mu)^5",
     reference="C. Schlick, An Inexpensive BRDF Model for Physically-based Rendering, Computer "
     "Graphics Forum 13(3), 1994, doi:10.1111/1467-8659.1330233",

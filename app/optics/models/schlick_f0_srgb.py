@@ -1,10 +1,7 @@
 """Schlick with F0 left in its sRGB encoding: the trap of a color picked from a picture."""
 
 from app.optics.color import encode_srgb
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 from app.optics.specular import F0_PARAMETER, only_F0, polynomial
 
 
@@ -16,9 +13,7 @@ def schlick_f0_srgb(interface: Interface, incidence: Incidence, F0: Array) -> Ar
 MODEL = Model(
     id="schlick_f0_srgb",
     title="Schlick with F0 taken as sRGB (trap)",
-    kind="approximation",
     trap=True,
-    applies_to=("dielectric", "conductor"),
     latex=r"R\approx F_0'+(1-F_0')(1-\mu)^5,\quad F_0'=1.055\,F_0^{1/2.4}-0.055",
     reference="transfer function of IEC 61966-2-1:1999; P. Shirley (2020) warns of it: be careful "
     "about gamma",

@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 from app.optics.specular import F0_PARAMETER, fifth_power, no_critical_angle, only_F0
 
 
@@ -18,8 +15,6 @@ def schlick_f90_50(interface: Interface, incidence: Incidence, F0: Array) -> Arr
 MODEL = Model(
     id="schlick_f90_50",
     title="Schlick with F90 = min(50 F0, 1)",
-    kind="approximation",
-    applies_to=("dielectric", "conductor"),
     latex=r"R\approx F_0+(F_{90}-F_0)(1-\mu)^5,\quad F_{90}=\min(50F_0,1)",
     reference="S. Lagarde and C. de Rousiers, Moving Frostbite to Physically Based Rendering, "
     "SIGGRAPH 2014 course notes; F_Schlick of Unreal Engine",

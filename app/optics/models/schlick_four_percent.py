@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 from app.optics.specular import polynomial
 
 
@@ -23,9 +20,7 @@ def _wrong_material(interface: Interface) -> str:
 MODEL = Model(
     id="schlick_four_percent",
     title="Schlick with F0 of 4 % for everything (trap)",
-    kind="approximation",
     trap=True,
-    applies_to=("dielectric", "conductor"),
     latex=r"R\approx 0.04+0.96\,(1-\mu)^5",
     reference="Khronos Group, glTF 2.0 Specification (2021), appendix B: metallic-roughness materials",
     validity="Right for n_t = 1.5 in air alone; water has half of it, diamond four times as much.",

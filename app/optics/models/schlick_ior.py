@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 from app.optics.specular import fifth_power, no_critical_angle
 
 
@@ -19,8 +16,6 @@ def schlick_ior(interface: Interface, incidence: Incidence) -> Array:
 MODEL = Model(
     id="schlick_ior",
     title="Schlick from the index",
-    kind="approximation",
-    applies_to=("dielectric", "conductor"),
     latex=r"R\approx\frac{(n_t-n_i)^2+4n_tn_i(1-\mu)^5+k_t^2}{(n_t+n_i)^2+k_t^2}",
     reference="I. Lazányi and L. Szirmay-Kalos, Fresnel Term Approximations for Metals, WSCG 2005; "
     "S. Lagarde, Memo on Fresnel equations (2013)",

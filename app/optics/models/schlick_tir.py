@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 from app.optics.specular import polynomial
 
 
@@ -34,7 +31,6 @@ def schlick_tir_real(mu: Array, eta: Array, F0: Array) -> Array:
 MODEL = Model(
     id="schlick_tir",
     title="Schlick with total internal reflection",
-    kind="approximation",
     applies_to=("dielectric",),
     latex=r"R\approx F_0+(1-F_0)(1-\mu')^5,\quad \mu'=\begin{cases}\cos\theta_i & n_i\le n_t\\"
     r"\cos\theta_t=\sqrt{1-\sin^2\theta_i/\eta^2} & n_i>n_t\end{cases},\quad "

@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 from app.optics.specular import polynomial
 
 
@@ -23,7 +20,6 @@ def _always_wrong(interface: Interface) -> str:
 MODEL = Model(
     id="schlick_wrong_angle",
     title="Schlick with the wrong angle inside glass (trap)",
-    kind="approximation",
     trap=True,
     applies_to=("dielectric",),
     latex=r"R\approx F_0+(1-F_0)(1-\cos\theta_i)^5\quad\text{although}\ n_i>n_t",

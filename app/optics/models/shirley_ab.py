@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Model, Rounding
+from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
 def shirley_ab(interface: Interface, incidence: Incidence) -> Array:
@@ -28,8 +25,6 @@ def shirley_ab(interface: Interface, incidence: Incidence) -> Array:
 MODEL = Model(
     id="shirley_ab",
     title="Shirley's a, b form",
-    kind="exact",
-    applies_to=("dielectric", "conductor"),
     latex=r"R_s=\frac{a^2+b^2-2a\cos\theta+\cos^2\theta}{a^2+b^2+2a\cos\theta+\cos^2\theta},\quad "
     r"R_p=R_s\,\frac{a^2+b^2-2a\sin\theta\tan\theta+\sin^2\theta\tan^2\theta}"
     r"{a^2+b^2+2a\sin\theta\tan\theta+\sin^2\theta\tan^2\theta},"
@@ -41,8 +36,5 @@ MODEL = Model(
     "and it loses digits where R is small.",
     cost=Cost(add=15, mul=19, div=5, sqrt=2),
     function=shirley_ab,
-    rounding=(
-        Rounding(1, 1.5, 0, max_relative=1e-14),
-        Rounding(1, 1.000001, 0, max_relative=0.001),
-    ),
+    rounding=(1e-14, 0.001),
 )

@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Measured, Model
+from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 from app.optics.specular import F0_PARAMETER, no_critical_angle, only_F0
 
 
@@ -18,8 +15,6 @@ def spherical_gaussian(interface: Interface, incidence: Incidence, F0: Array) ->
 MODEL = Model(
     id="spherical_gaussian",
     title="Spherical Gaussian",
-    kind="approximation",
-    applies_to=("dielectric", "conductor"),
     latex=r"R\approx F_0+(1-F_0)\,2^{(-5.55473\,\mu-6.98316)\,\mu}",
     reference="S. Lagarde, Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel "
     "(2012); B. Karis, Real Shading in Unreal Engine 4, SIGGRAPH 2013 course notes",

@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Model, Rounding
+from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
 def wloka_eq6(interface: Interface, incidence: Incidence) -> Array:
@@ -23,7 +20,6 @@ def wloka_eq6(interface: Interface, incidence: Incidence) -> Array:
 MODEL = Model(
     id="wloka_eq6",
     title="Wloka's equation 6",
-    kind="exact",
     applies_to=("dielectric",),
     latex=r"R=\tfrac12\,\frac{\sin^2(\theta_i-\theta_t)}{\sin^2(\theta_i+\theta_t)}"
     r"\left(1+\frac{\cos^2(\theta_i+\theta_t)}{\cos^2(\theta_i-\theta_t)}\right)",
@@ -32,8 +28,5 @@ MODEL = Model(
     "incidence, where the limit stands in, and loses digits as n_t approaches n_i.",
     cost=Cost(add=3, mul=5, div=3, trig=6),
     function=wloka_eq6,
-    rounding=(
-        Rounding(1, 1.5, 0, max_relative=1e-14),
-        Rounding(1, 1.000001, 0, max_relative=1e-9),
-    ),
+    rounding=(1e-14, 1e-9),
 )

@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from app.optics.incidence import Incidence
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-from app.optics.registry import Cost, Model, Rounding
+from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
 def wloka_gc(interface: Interface, incidence: Incidence) -> Array:
@@ -21,7 +18,6 @@ def wloka_gc(interface: Interface, incidence: Incidence) -> Array:
 MODEL = Model(
     id="wloka_gc",
     title="Wloka's g, c form",
-    kind="exact",
     applies_to=("dielectric",),
     latex=r"R=\tfrac12\left(\frac{g-c}{g+c}\right)^2"
     r"\left(1+\left[\frac{c(g+c)-\rho^2}{c(g-c)+\rho^2}\right]^2\right),\quad "
@@ -31,8 +27,5 @@ MODEL = Model(
     "n_t approaches n_i, and is 0/0 for n_t = n_i at 90 degrees.",
     cost=Cost(add=8, mul=10, div=2, sqrt=1),
     function=wloka_gc,
-    rounding=(
-        Rounding(1, 1.5, 0, max_relative=1e-14),
-        Rounding(1, 1.000001, 0, max_relative=1e-9),
-    ),
+    rounding=(1e-14, 1e-9),
 )
