@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -49,7 +49,9 @@ def rounded(payload: Any, digits: int) -> Any:
     if isinstance(payload, Mapping):
         return {key: rounded(value, digits) for key, value in payload.items()}
     if is_dataclass(payload) and not isinstance(payload, type):
-        return {f.name: rounded(getattr(payload, f.name), digits) for f in fields(payload)}
+        return replace(
+            payload, **{f.name: rounded(getattr(payload, f.name), digits) for f in fields(payload)}
+        )
     if isinstance(payload, list | tuple):
         return [rounded(value, digits) for value in payload]
     if isinstance(payload, np.ndarray) and payload.dtype.kind == "f":

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import partial
 from typing import Any
 from urllib.parse import unquote
 
 import orjson
 from fastapi import APIRouter
+from starlette.responses import Response
 
+from app.answers.rounding import rounded
 from app.http.route import QueryRoute
 
 
@@ -38,15 +41,23 @@ class RouteTable:
         return None, {}
 
     def ask(self, target: str) -> Any:
-        """Return what the endpoint of a path and query, percent-encoded, returns; errors are raised.
+        """Return the answer to a path and query, percent-encoded, with as many digits as it asks for.
 
         Raises
         ------
         LookupError
             If no route has the path.
+        BadParameters, OpticsError
+            As the route does.
         """
-        route, parts, query = self._routed(target)
-        return route.answer(parts, route.read(query))
+        route, parts, text = self._routed(target)
+        query = route.read(text)
+        answer = route.answer(parts, query)
+        if isinstance(answer, partial):  # until every answer is typed
+            answer = answer()
+        if isinstance(answer, Response):
+            return orjson.loads(answer.body)
+        return rounded(answer, getattr(query, "digits", 17))
 
     def written(self, target: str) -> bytes:
         """Return the bytes that the route of a path and query sends; errors are raised."""

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
+
+import numpy as np
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,23 +144,34 @@ def share_at_most(path: str, limit: float) -> Reading:
 
 
 def follow(answer: Any, path: str) -> Any:
-    """Walk a path: keys between dots, `[key=value,...]` picks of a list, `[*]` takes all of it.
+    """Walk a path: names between dots, `[key=value,...]` picks of a list, `[*]` takes all of it.
 
     Raises
     ------
-    LookupError
+    LookupError, AttributeError
         If the path leads nowhere.
     """
     for step in _steps(path):
         if step == "[*]":
             rest = path.partition("[*].")[2]
-            return [follow(entry, rest) for entry in answer] if rest else list(answer)
+            return [follow(entry, rest) for entry in answer] if rest else answer
         if step.startswith("["):
             wanted = dict(pair.split("=") for pair in step[1:-1].split(","))
-            answer = next(e for e in answer if all(str(e[k]) == v for k, v in wanted.items()))
+            answer = next(
+                entry for entry in answer if all(str(_in(entry, k)) == v for k, v in wanted.items())
+            )
         else:
-            answer = answer[int(step) if isinstance(answer, list) else step]
+            answer = _in(answer, step)
     return answer
+
+
+def _in(answer: Any, name: str) -> Any:
+    """What an answer has of a name: a field, an entry, or the item of a list."""
+    if isinstance(answer, Mapping):
+        return answer[name]
+    if isinstance(answer, Sequence | np.ndarray):
+        return answer[int(name)]
+    return getattr(answer, name)
 
 
 def _steps(path: str) -> Iterator[str]:
@@ -177,9 +190,9 @@ def _steps(path: str) -> Iterator[str]:
 
 
 def _numbers(nested: Iterable[Any]) -> Iterator[float]:
-    """Flatten lists of lists; nulls are left out."""
+    """Flatten lists and arrays; what is undefined is left out."""
     for entry in nested:
-        if isinstance(entry, list):
+        if isinstance(entry, Sequence | np.ndarray):
             yield from _numbers(entry)
-        elif entry is not None:
+        elif entry is not None and not math.isnan(entry):
             yield float(entry)

@@ -21,7 +21,7 @@ from tests.claims import oracle
 
 FIGURES = [(claim, figure) for claim in CLAIMS.values() for figure in claim.figures]
 IDS = [f"{claim.id}.{figure.name}" for claim, figure in FIGURES]
-PAGE = Path(__file__).parents[2] / "static" / "js" / "examples.js"
+PAGE = Path(__file__).parents[2] / "static" / "js" / "models" / "examples.js"
 
 # What rounding leaves, where the figure says that two things are the same.
 ROUNDING = 1e-11
