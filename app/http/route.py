@@ -57,7 +57,7 @@ class QueryRoute(APIRoute):
         told = {304: _NOT_MODIFIED, **(responses or {})}
         super().__init__(path, endpoint, responses=told, **options)
         if "format" in self._fields and "csv" in get_args(self._fields["format"].annotation):
-            self.responses[200] = _CSV_AS_WELL
+            self.responses.setdefault(200, _CSV_AS_WELL)
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
         """Answer requests by the endpoint; its signature is read here."""

@@ -11,8 +11,15 @@ import OpenEXR
 import png
 from numpy.typing import DTypeLike, NDArray
 
+from app.answers.lookup import LookupTable
 from app.optics.lookup import Depth
 from app.optics.parameters import Array
+
+ERROR_HEADER = "Interpolation-Error"
+"""Name of the largest error, in the header of an answer and inside pictures."""
+
+MEDIA = {"npy": "application/octet-stream", "png": "image/png", "exr": "image/x-exr"}
+"""Types of the files, by their endings."""
 
 _WHOLE: dict[Depth, DTypeLike] = {"unorm8": np.uint8, "unorm16": np.uint16}
 _FLOAT: dict[Depth, DTypeLike] = {"half": np.float16, "float": np.float32}
@@ -23,6 +30,18 @@ def stored(texels: Array, depth: Depth) -> NDArray[Any]:
     if depth in _FLOAT:
         return texels.astype(_FLOAT[depth])
     return np.rint(texels * (255.0 if depth == "unorm8" else 65535.0)).astype(_WHOLE[depth])
+
+
+def file_bytes(table: LookupTable, kind: str) -> bytes:
+    """Write a table as a file of one of the kinds in `MEDIA`."""
+    if kind == "npy":
+        return npy_bytes(table.texels, table.depth)
+    said = {
+        "Title": table.title(),
+        "Description": table.reading,
+        ERROR_HEADER: f"{table.error.max_abs:g}",
+    }
+    return (png_bytes if kind == "png" else exr_bytes)(table.pixels, table.depth, said)
 
 
 def npy_bytes(texels: Array, depth: Depth) -> bytes:

@@ -1,0 +1,310 @@
+"""Tables for a renderer, each with the measured error of reading between its texels."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+import numpy as np
+
+from app.answers.answer import SentAs, Table, answer
+from app.answers.axes import Axis, Held, held, interfaces, refuse_many_cells
+from app.answers.curves import Chosen
+from app.answers.interface import CONVENTION, InterfaceFacts
+from app.materials.appearance import color_curve
+from app.materials.spectrum import Spectrum
+from app.optics.albedo import albedo
+from app.optics.errors import NotAllowed
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.lookup import Depth, TableError, line_error, quantize, sheet_error
+from app.optics.parameters import Array
+
+MOST_TEXELS = 4096
+"""Texels along one axis."""
+
+SIZES = tuple(2**power for power in range(1, 13))
+"""Sizes whose errors are listed."""
+
+DEPTHS: tuple[Depth, ...] = ("unorm8", "unorm16", "float")
+
+READING = (
+    "texel j of N stands at the j-th of N equally spaced values, both ends included; sample a "
+    "texture at (x (N - 1) + 1/2) / N, x from 0 to 1 between the ends, with linear filtering"
+)
+
+
+@answer
+class TableAxis:
+    """What one direction of the table runs over."""
+
+    name: str
+    minimum: float
+    maximum: float
+    size: int
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Coordinates of the first and the last texel."""
+        return self.minimum, self.maximum
+
+    @property
+    def values(self) -> Array:
+        """Coordinates of all texels."""
+        return np.linspace(*self.ends, self.size)
+
+
+@answer
+class InterpolationError:
+    """The largest error of what is read between the texels."""
+
+    max_abs: float
+    """Measured, rounding of the texels included; rounded up."""
+    at: dict[str, float]
+    """Where it is reached."""
+
+
+@answer
+class LookupTable:
+    """A lookup table."""
+
+    model: str
+    quantity: str
+    warnings: list[str]
+    interface: InterfaceFacts | None
+    """Null where an index varies."""
+    n_i: float
+    n_t: float | None
+    k_t: float | None
+    convention: str
+    axes: list[TableAxis]
+    """The innermost, along a row, first."""
+    channels: list[str]
+    depth: Depth
+    reading: str
+    error: InterpolationError
+    texels: Annotated[Array, SentAs(list[Any])]
+    """Rows of the last axis; a list where channels are three."""
+
+    @property
+    def pixels(self) -> Array:
+        """Texels as those of a picture, of shape (rows, size, channels)."""
+        return self.texels.reshape(-1, self.axes[0].size, len(self.channels))
+
+    def filename(self, kind: str) -> str:
+        """Name for a file of this kind."""
+        return "_".join([self.model, *self._names, f"{self.axes[0].size}.{kind}"])
+
+    def title(self) -> str:
+        """What is tabulated, in words."""
+        fixed = {name: getattr(self, name) for name in Held._fields}
+        media = ", ".join(f"{name} = {n:g}" for name, n in fixed.items() if n is not None)
+        return f"{self.quantity} of {self.model} over {','.join(self._names)}, {media}"
+
+    @property
+    def _names(self) -> list[str]:
+        return [axis.name for axis in self.axes]
+
+    def table(self) -> Table:
+        """Lay out a row each texel."""
+        grid = np.meshgrid(*(axis.values for axis in self.axes))
+        columns = {n: values.ravel() for n, values in zip(self._names, grid, strict=True)}
+        columns |= {c: self.pixels[..., i].ravel() for i, c in enumerate(self.channels)}
+        return Table(columns, self.filename("csv"))
+
+
+@answer
+class LookupErrors:
+    """Errors of tables of many sizes."""
+
+    model: str
+    quantity: str
+    n_i: float
+    n_t: float | None
+    k_t: float | None
+    over: str
+    sizes: list[int]
+    max_abs: dict[Depth, list[float | None]]
+    """By depth: the largest error a size; null where the texels cannot hold the values."""
+
+
+@dataclass(frozen=True)
+class Tabulated:
+    """A function over one or two coordinates that a table is made of.
+
+    Attributes
+    ----------
+    model
+        What is evaluated.
+    quantity
+        What it gives.
+    fixed
+        The interface, or that whose other indices hold.
+    axes
+        Ends and sizes; the innermost first.
+    function
+        Coordinates of any shape, an argument each axis, to values with channels as a last axis.
+    warnings
+        What to know of the values.
+    """
+
+    model: str
+    quantity: str
+    fixed: Interface
+    axes: tuple[TableAxis, ...]
+    function: Callable[..., Array]
+    warnings: tuple[str, ...] = ()
+
+    def values(self) -> Array:
+        """Evaluate at the texels, of shape (rows, size, channels).
+
+        Raises
+        ------
+        NotAllowed
+            If the model is undefined at one.
+        """
+        along, *rows = (axis.values for axis in self.axes)
+        values = self.function(along, *(row[:, np.newaxis] for row in rows))
+        if not np.isfinite(values).all():
+            raise NotAllowed("model", self.model, "one that is defined over the whole table")
+        return values if rows else values[np.newaxis]
+
+    def error(self, texels: Array) -> TableError:
+        """Measure the largest error between quantized texels."""
+        if len(self.axes) == 1:
+            return line_error(texels[0], self.axes[0].ends, self.function)
+        x, y = self.axes
+        return sheet_error(texels, (x.ends, y.ends), self.function)
+
+
+def reflectance_over_mu(chosen: Chosen, interface: Interface, size: int) -> Tabulated:
+    """Tabulate R over mu, in one channel or, of a color, three."""
+    arguments = chosen.arguments(interface)
+
+    def values(mu: Array) -> Array:
+        R = chosen.model.evaluate(interface, Incidence.from_cosine(mu.ravel()), arguments)
+        return np.moveaxis(np.atleast_2d(R), 0, -1).reshape(*mu.shape, -1)
+
+    return Tabulated(chosen.model.id, "R", interface, (_mu(size),), values)
+
+
+def color_over_mu(spectrum: Spectrum, interface: Interface, size: int) -> Tabulated:
+    """Tabulate R, G and B over mu, integrated from a spectrum."""
+    n_i = float(interface.n_i)
+
+    def values(mu: Array) -> Array:
+        return color_curve(spectrum, Incidence.from_cosine(mu), n_i)
+
+    warnings = spectrum.visible.warnings
+    return Tabulated("exact", "R in linear sRGB", interface, (_mu(size),), values, warnings)
+
+
+def albedo_over_index(chosen: Chosen, fixed: Interface, axis: Axis) -> Tabulated:
+    """Tabulate the albedo of exact over an index.
+
+    Raises
+    ------
+    NotAllowed
+        If another model is chosen.
+    """
+    if chosen.model.id != "exact":
+        raise NotAllowed("model", chosen.model.id, "exact where the table is one of albedos")
+
+    def values(index: Array) -> Array:
+        shares = albedo(interfaces(fixed, {axis.name: index.ravel()})).unpolarized
+        return shares.reshape(*index.shape, 1)
+
+    return Tabulated("exact", "albedo", fixed, (_index(axis),), values)
+
+
+def reflectance_over_mu_and_index(
+    chosen: Chosen, fixed: Interface, axis: Axis, size: int
+) -> Tabulated:
+    """Tabulate R over mu, `size` texels, and an index.
+
+    Raises
+    ------
+    NotAllowed
+        If there are too many texels, or a parameter is one for R, G and B.
+    """
+    refuse_many_cells("rows", size=size, rows=axis.values.size)
+    model, given = chosen.model, chosen.of_one_color().given
+
+    def values(mu: Array, index: Array) -> Array:
+        interface = interfaces(fixed, {axis.name: index})
+        arguments = model.arguments(interface, **given)
+        return model.evaluate(interface, Incidence.from_cosine(mu), arguments)[..., np.newaxis]
+
+    return Tabulated(model.id, "R", fixed, (_mu(size), _index(axis)), values)
+
+
+def lookup_table(tabulated: Tabulated, depth: Depth) -> LookupTable:
+    """Make a table, and measure how far what is read from it is off.
+
+    Raises
+    ------
+    NotAllowed
+        If the texels cannot hold a value.
+    """
+    texels = quantize(tabulated.values(), depth)
+    worst, axes = tabulated.error(texels), tabulated.axes
+    names = [axis.name for axis in axes]
+    channels = [tabulated.quantity] if texels.shape[-1] == 1 else ["red", "green", "blue"]
+    # Without the axes that only pictures need.
+    plain = texels[0] if len(axes) == 1 else texels
+    plain = plain[..., 0] if len(channels) == 1 else plain
+    _, n_t, k_t = held(tabulated.fixed, *names)
+    whole = names == ["mu"]
+    return LookupTable(
+        model=tabulated.model,
+        quantity=tabulated.quantity,
+        warnings=[*tabulated.warnings],
+        interface=InterfaceFacts.of(tabulated.fixed) if whole else None,
+        n_i=float(tabulated.fixed.n_i),
+        n_t=n_t,
+        k_t=k_t,
+        convention=CONVENTION,
+        axes=[*axes],
+        channels=channels,
+        depth=depth,
+        reading=READING,
+        error=InterpolationError(max_abs=worst.max_abs, at=dict(zip(names, worst.at, strict=True))),
+        texels=np.ascontiguousarray(plain),
+    )
+
+
+def lookup_errors(of_size: Callable[[int], Tabulated]) -> LookupErrors:
+    """Measure tables of all sizes and depths, of a function that is tabulated in any size."""
+    found: dict[Depth, list[float | None]] = {depth: [] for depth in DEPTHS}
+    for size in SIZES:
+        tabulated = of_size(size)
+        values = tabulated.values()
+        for depth, errors in found.items():
+            try:
+                texels = quantize(values, depth)
+            except NotAllowed:
+                errors.append(None)
+            else:
+                errors.append(tabulated.error(texels).max_abs)
+    (axis,) = tabulated.axes
+    _, n_t, k_t = held(tabulated.fixed, axis.name)
+    return LookupErrors(
+        model=tabulated.model,
+        quantity=tabulated.quantity,
+        n_i=float(tabulated.fixed.n_i),
+        n_t=n_t,
+        k_t=k_t,
+        over=axis.name,
+        sizes=[*SIZES],
+        max_abs=found,
+    )
+
+
+def _mu(size: int) -> TableAxis:
+    return TableAxis(name="mu", minimum=0.0, maximum=1.0, size=size)
+
+
+def _index(axis: Axis) -> TableAxis:
+    low, high = float(axis.values[0]), float(axis.values[-1])
+    return TableAxis(name=axis.name, minimum=low, maximum=high, size=axis.values.size)
