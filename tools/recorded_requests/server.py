@@ -45,14 +45,19 @@ class Server:
         self._thread = threading.local()
 
     def ask(self, question: Question) -> Answer:
-        """Send a request and read its answer; status 0 if there is none, a second time as well."""
-        for _ in range(2):
+        """Send a request and read its answer; status 0 if there is none.
+
+        It is sent again where none came, and where a busy machine had no time for it (503).
+        """
+        for _ in range(4):
             try:
-                return self._asked(question)
+                answer = self._asked(question)
             except (HTTPException, OSError) as error:
-                failed = type(error).__name__
+                answer = Answer(0, {}, type(error).__name__)
                 del self._thread.connection
-        return Answer(0, {}, failed)
+            if answer.status not in (0, 503):
+                break
+        return answer
 
     def _sent(self, method: str, target: str, body: bytes, headers: dict[str, str]) -> HTTPResponse:
         if not hasattr(self._thread, "connection"):
