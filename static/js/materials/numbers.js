@@ -1,8 +1,9 @@
 /** Constants and colors of the chosen preset: shown with six digits, copied in full. */
 
 import { createChoices } from "../controls/panel.js";
-import { ExpressionError, evaluate } from "../numbers/entry.js";
-import { plain, six, stretch } from "../numbers/format.js";
+import { stretch } from "../media/wavelength.js";
+import { ExpressionError, evaluate } from "../numbers/expression.js";
+import { plain, six } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
 import { copying } from "../page/exports.js";
 import { html, render } from "../page/lit.js";

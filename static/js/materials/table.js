@@ -1,6 +1,6 @@
 /** The table of presets: one stop for the Tab key, arrows walk through it, the row walked to is shown. */
 
-import { stretch } from "../numbers/format.js";
+import { stretch } from "../media/wavelength.js";
 import { h } from "../page/dom.js";
 import { html, nothing, render } from "../page/lit.js";
 import { COLUMNS, sortedPresets } from "./columns.js";

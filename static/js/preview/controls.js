@@ -1,10 +1,9 @@
 /** The panel of the Preview view: media, what stands on either side and how it is evaluated, the scene. */
 
-import { createInterface } from "../controls/media.js";
-import { createChoices, createSheet } from "../controls/panel.js";
+import { createChoices, createRow, createSheet } from "../controls/panel.js";
 import { createParameters } from "../controls/parameters.js";
-import { createRow } from "../controls/row.js";
-import { ExpressionError, evaluate } from "../numbers/entry.js";
+import { createInterface } from "../media/media.js";
+import { ExpressionError, evaluate } from "../numbers/expression.js";
 import { plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { html, render } from "../page/lit.js";

@@ -1,18 +1,15 @@
 /** The picture of a lesson: the ray at the surface beside its curves, or a metal's colors. */
 
-import { landmarksOf, locate, read, readingAt, values } from "../curves/reading.js";
-import { axesOf } from "../curves/traces.js";
-import { createDiagram } from "../diagram/diagram.js";
-import { createSplit } from "../diagram/split.js";
+import { axesOf, landmarksOf, locate, read, readingAt, values } from "../curves/reading.js";
+import { createDiagram, createSplit } from "../diagram/diagram.js";
 import { CHANNELS, modelTraces } from "../models/look.js";
-import { clamp, snap, stepped } from "../numbers/entry.js";
+import { clamp, snap, stepped } from "../numbers/format.js";
 import { h, setText } from "../page/dom.js";
 import { createDataTables } from "../page/exports.js";
 import { createPlot } from "../plot/plot.js";
 import { DEGREES } from "./rows.js";
 
 /**
- * @typedef {import('../curves/reading.js').Reading} Reading
  * @typedef {import('./lesson.js').Lesson} Lesson
  * @typedef {import('./lesson.js').Setting} Setting
  */
