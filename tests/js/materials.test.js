@@ -76,17 +76,10 @@ test("until one is chosen here, the other views' second medium is shown, else go
 
 test("only what a preset has is asked for", () => {
   const gold = queries(STATE, CATALOG);
-  assert.deepEqual(Object.keys(gold), [
-    "list",
-    "detail",
-    "index",
-    "spectrum",
-    "angles",
-    "colors",
-    "map",
-    "rival:Au-Johnson",
-    "rival:Au-Babar",
-  ]);
+  assert.equal(
+    Object.keys(gold).join(" "),
+    "list detail index spectrum angles colors map rival:Au-Johnson rival:Au-Babar",
+  );
   assert.equal(gold.detail, "/materials/Au");
   assert.equal(gold.angles, "/materials/Au/curves?rgb=false");
   const water = queries({ ...STATE, preset: "water" }, CATALOG);

@@ -255,3 +255,7 @@ export function axesOf(shown) {
       : null,
   };
 }
+
+/** What curves are at a place. @param {readonly {id: string, x: number[], y: (number | null)[]}[]} traces @param {number} x */
+export const pointsAt = (traces, x) =>
+  traces.map((t) => ({ id: t.id, y: read(t.y, locate(t.x, x)) }));

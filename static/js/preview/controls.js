@@ -79,11 +79,10 @@ export function createControls(context) {
     range: [2, 64],
     wide: [2, 1024],
     steps: { step: 1, fine: 1, page: 16 },
-    onChange: (value, moving) =>
-      actions.set(
-        { texels: value === null ? BOUNDS.texels.default : Math.round(value) },
-        { history: moving ? "replace" : "push" },
-      ),
+    onChange(value, moving) {
+      const texels = Math.round(value ?? BOUNDS.texels.default);
+      actions.set({ texels }, { history: moving ? "replace" : "push" });
+    },
     onSettle: actions.settle,
     writing: {
       print: (v) => plain(v),
