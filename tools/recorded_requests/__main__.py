@@ -45,6 +45,8 @@ def main() -> int:
     cli = given.task.endswith("cli")
     path = given.to / ("commands.jsonl.gz" if cli else "answers.jsonl.gz")
     server = Server("" if cli else given.url)
+    if not cli and not server.ask(Question("GET", "/api/v1/health")).status:
+        parser.error(f"nobody answers at {given.url}")
     program = partial(commands.run, given.program.resolve()) if cli else None
     ask: Callable[[Question], Answer] = program or server.ask
     with ThreadPoolExecutor(given.at_a_time) as threads:

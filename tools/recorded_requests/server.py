@@ -78,6 +78,8 @@ class Server:
         kept = {
             name: value for name in KEPT if (value := response.getheader(name, None)) is not None
         }
+        if "location" in kept:  # the port is another each time
+            kept["location"] = urlsplit(kept["location"]).path
         if etag := response.getheader("etag", ""):
             kept["etag"] = "weak" if etag.startswith("W/") else "strong"
         if method == "HEAD" and not target.startswith(BODY_VARIES):
