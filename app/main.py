@@ -28,6 +28,7 @@ from app.api import (
 )
 from app.api.table import RouteTable
 from app.http import problems
+from app.http.bounds import Bounded
 from app.http.cache import AnswerCache
 from app.http.middleware import CommonHeaders, Fallback, HeadAsGet, KnownHosts
 from app.http.serving import Serving
@@ -66,8 +67,15 @@ class _Application(FastAPI):
         app: ASGIApp = super().build_middleware_stack()
         app = AnswerCache(app, prefix=f"{PREFIX}/", limit=settings.cache_bytes, pool=pool)
         app = HeadAsGet(app)
-        if settings.allowed_hosts != "*":
-            app = KnownHosts(app, settings.allowed_hosts.split(","), open_to_all=_PROBED)
+        hosts = [host.strip().lower() for host in settings.allowed_hosts.split(",")]
+        if "*" not in hosts:
+            app = KnownHosts(app, hosts, open_to_all=_PROBED)
+        app = Bounded(
+            app,
+            target_bytes=settings.max_target_bytes,
+            header_bytes=settings.max_header_bytes,
+            write_timeout_s=settings.write_timeout_s,
+        )
         app = CommonHeaders(app, api=(f"{PREFIX}/", "/openapi.json"), documents=document_headers)
         access_log = AccessLog() if settings.access_log else None
         return Observed(drain.around(app), self.state.metrics, access_log)

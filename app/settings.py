@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from difflib import get_close_matches
 from pathlib import Path
+from typing import Literal
 
 from pydantic import Field
 from pydantic_settings import BaseSettings, SettingsConfigDict
@@ -26,6 +27,12 @@ class Settings(BaseSettings):
 
     host: str = Field("127.0.0.1", description="Address to listen on.")
     port: int = Field(8000, ge=0, le=65535, description="Port to listen on; 0 takes a free one.")
+    http: Literal["auto", "h11", "httptools"] = Field(
+        "auto",
+        description="What reads requests: `h11` bounds what it keeps of one, `httptools` is faster "
+        "and for servers that strangers reach through a proxy alone; `auto` takes `httptools` on a "
+        "loopback address, else `h11`.",
+    )
     workers: int = Field(1, ge=1, le=256, description="Processes that answer at the same port.")
     access_log: bool = Field(
         False, description="Write a line of JSON to standard output for every request."
@@ -59,14 +66,15 @@ class Settings(BaseSettings):
     max_header_bytes: int = Field(
         32_768, ge=1000, description="Longest headers of a request together, in bytes."
     )
-    max_connections: int = Field(5000, ge=1, description="Most connections at a time.")
-    read_timeout_s: float = Field(
-        15.0,
-        gt=0.0,
-        description="How long a client may take for the head of a request, and for each further part.",
+    max_connections: int = Field(
+        5000,
+        ge=1,
+        description="Most connections at a time; beyond, requests are answered with 503.",
     )
     write_timeout_s: float = Field(
-        30.0, gt=0.0, description="How long a client may read nothing of its answer, in seconds."
+        30.0,
+        gt=0.0,
+        description="How long a client may read nothing of a large answer, in seconds.",
     )
     keep_alive_s: int = Field(
         5, ge=0, description="How long a connection stays open after an answer, in seconds."

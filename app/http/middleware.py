@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Mapping
 
 from starlette.datastructures import Headers
 from starlette.middleware.cors import CORSMiddleware
@@ -59,17 +59,16 @@ class KnownHosts:
     app
         The application.
     hosts
-        Their names, without a port; `*.example.org` stands for all below `example.org`.
+        Their names in lower case, without a port; `*.example.org` stands for all below `example.org`.
     open_to_all
         Beginnings of paths that are answered under any name.
     """
 
-    def __init__(self, app: ASGIApp, hosts: Iterable[str], open_to_all: tuple[str, ...]) -> None:
+    def __init__(self, app: ASGIApp, hosts: Collection[str], open_to_all: tuple[str, ...]) -> None:
         self.app = app
         self.open_to_all = open_to_all
-        names = [host.strip().lower() for host in hosts]
-        self.exact = {name for name in names if not name.startswith("*.")}
-        self.endings = tuple(name[1:] for name in names if name.startswith("*."))
+        self.exact = {host for host in hosts if not host.startswith("*.")}
+        self.endings = tuple(host[1:] for host in hosts if host.startswith("*."))
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass the request on if it was meant for this server."""

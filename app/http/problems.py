@@ -81,24 +81,15 @@ def problem_response(
 
     The path is the scope's: `request.url` takes the query apart, which may be no UTF-8.
     """
-    body = problem_bytes(status, detail, request.scope["path"], errors)
-    return Response(body, status, headers, MEDIA_TYPE)
-
-
-def problem_bytes(
-    status: int, detail: str, instance: str, errors: Sequence[ParameterError] = ()
-) -> bytes:
-    """Write the body of a problem."""
-    return orjson.dumps(
-        {
-            "type": "about:blank",
-            "title": HTTPStatus(status).phrase,
-            "status": status,
-            "detail": detail,
-            "instance": instance,
-            "errors": list(errors),
-        }
-    )
+    body = {
+        "type": "about:blank",
+        "title": HTTPStatus(status).phrase,
+        "status": status,
+        "detail": detail,
+        "instance": request.scope["path"],
+        "errors": list(errors),
+    }
+    return Response(orjson.dumps(body), status, headers, MEDIA_TYPE)
 
 
 class BadParameters(Exception):

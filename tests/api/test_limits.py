@@ -1,50 +1,48 @@
-"""What a client may send, how slowly, and how much of the server it may have."""
+"""What a client may send, and how much of the server it may have."""
 
 from __future__ import annotations
 
+import asyncio
 import json
+import re
 import resource
-import select
 import socket
 import threading
-import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import ExitStack, suppress
-from typing import Any
-from unittest.mock import Mock
+from contextlib import ExitStack
+from http.client import HTTPConnection
+from typing import Any, Literal
 
 import pytest
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from app.http.bounds import Bounded
 from app.http.problems import MEDIA_TYPE
 from app.main import create_app
 from app.server.pool import Pool
-from app.server.protocol import BoundedProtocol
-from app.server.run import allow_open_files
+from app.server.run import allow_open_files, parser
 from app.settings import Settings
 from tests.api.raw import Answer, send
 from tests.api.wire import Address, exchange, get, received, served
 
 API = b"/api/v1"
 HEALTH = API + b"/health"
+HOST = b" HTTP/1.1\r\nHost: test\r\n"
+CLOSE = b"Connection: close\r\n"
+MAP = API + b"/errors/map?x=n_t&y=k_t&metric=rms&x_steps=90&y_steps=%d"
 PATIENCE_S = 30.0
-TIGHT = Settings(
-    max_target_bytes=200,
-    max_header_bytes=1000,
-    max_connections=50,
-)
-HASTY = Settings(read_timeout_s=0.3, write_timeout_s=0.3)
+APP = create_app()
+PARSERS = ("h11", "httptools")
+Parser = Literal["h11", "httptools"]
 
 
-@pytest.fixture(scope="module")
-def tight() -> Iterator[Address]:
-    with served(settings=TIGHT) as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def hasty() -> Iterator[Address]:
-    with served(settings=HASTY) as address:
+@pytest.fixture(scope="module", params=PARSERS)
+def tight(request: pytest.FixtureRequest) -> Iterator[Address]:
+    settings = Settings(
+        http=request.param, max_target_bytes=200, max_header_bytes=1000, max_body_bytes=1000
+    )
+    with served(settings=settings) as address:
         yield address
 
 
@@ -53,7 +51,6 @@ def refused(answer: Answer, status: int, setting: str) -> None:
     assert answer.status == status
     assert answer.headers["content-type"] == MEDIA_TYPE
     assert answer.headers["access-control-allow-origin"] == "*"
-    assert answer.headers["connection"] == "close"
     assert int(answer.headers["content-length"]) == len(answer.body)
     told = json.loads(answer.body)
     assert told["status"] == status
@@ -68,40 +65,13 @@ class TestSize:
         assert get(tight, longest).status == 422
         refused(get(tight, longest + b"1"), 414, "FRESNEL_MAX_TARGET_BYTES")
 
-    def test_a_refusal_arrives_though_more_is_sent(self, tight: Address) -> None:
-        """Closing at once would reset the connection, and the answer with it."""
-        for _ in range(20):
-            answer = get(tight, API + b"/snell?n_t=" + b"1" * 400_000)
-            refused(answer, 414, "FRESNEL_MAX_TARGET_BYTES")
-
     def test_headers_together(self, tight: Address) -> None:
         def with_headers(count: int) -> Answer:
             more = b"".join(b"X%03d: " % i + b"v" * 90 + b"\r\n" for i in range(count))
-            head = b"GET " + HEALTH + b" HTTP/1.1\r\nHost: test\r\nConnection: close\r\n"
-            return exchange(tight, head + more + b"\r\n")
+            return exchange(tight, b"GET " + HEALTH + HOST + CLOSE + more + b"\r\n")
 
         assert with_headers(9).status == 200
         refused(with_headers(11), 431, "FRESNEL_MAX_HEADER_BYTES")
-
-    @pytest.mark.parametrize("start", [b"GET " + HEALTH + b" HTTP/1.1\r\nX: ", b"GET "])
-    def test_what_never_ends_is_not_read_for_ever(self, tight: Address, start: bytes) -> None:
-        with socket.create_connection(tight, timeout=10) as connection:
-            connection.sendall(start)
-            answer = None
-            for _ in range(100):
-                connection.sendall(b"/" * 100)
-                time.sleep(0.001)
-                connection.settimeout(0.001)
-                try:
-                    if connection.recv(1, socket.MSG_PEEK):
-                        connection.settimeout(10)
-                        answer = received(connection)
-                        break
-                except TimeoutError:
-                    continue
-        assert answer is not None
-        setting = "HEADER" if b"HTTP" in start else "TARGET"
-        refused(answer, 431 if b"HTTP" in start else 414, f"FRESNEL_MAX_{setting}_BYTES")
 
     @pytest.mark.parametrize("target", [b"/curves?samples=12", b"/curves?samples=12&format=csv"])
     def test_samples(self, target: bytes) -> None:
@@ -132,21 +102,13 @@ class TestSize:
         assert send(app, API + b"/errors/map?x_steps=501&y_steps=501").status == 422
 
 
-@pytest.fixture(scope="module")
-def batches() -> Iterator[Address]:
-    with served(settings=Settings(max_body_bytes=1000)) as address:
-        yield address
-
-
 class TestBody:
     @staticmethod
     def post(address: Address, headers: bytes, body: bytes) -> Answer:
-        head = b"POST /api/v1/evaluate HTTP/1.1\r\nHost: test\r\n" + headers
-        return exchange(address, head + b"\r\n" + body)
+        return exchange(address, b"POST /api/v1/evaluate" + HOST + CLOSE + headers + b"\r\n" + body)
 
-    def test_the_longest_is_taken(self, batches: Address) -> None:
-        close = b"Connection: close\r\n"
-        answer = self.post(batches, close + b"Content-Length: 1000\r\n", b"x" * 1000)
+    def test_the_longest_is_taken(self, tight: Address) -> None:
+        answer = self.post(tight, b"Content-Length: 1000\r\n", b"x" * 1000)
         assert answer.status == 422  # read, and no JSON
 
     @pytest.mark.parametrize(
@@ -160,8 +122,24 @@ class TestBody:
         ],
         ids=["sent", "announced", "huge", "in one chunk", "in many chunks"],
     )
-    def test_a_longer_one_is_not(self, batches: Address, headers: bytes, body: bytes) -> None:
-        refused(self.post(batches, headers, body), 413, "FRESNEL_MAX_BODY_BYTES")
+    def test_a_longer_one_is_not(self, tight: Address, headers: bytes, body: bytes) -> None:
+        refused(self.post(tight, headers, body), 413, "FRESNEL_MAX_BODY_BYTES")
+
+    @pytest.mark.parametrize("is_chunked", [False, True])
+    def test_a_client_that_sends_all_of_it_is_told_so(
+        self, tight: Address, is_chunked: bool
+    ) -> None:
+        """Hung up on while it sends, a client would see a broken connection instead."""
+        connection = HTTPConnection(*tight, timeout=PATIENCE_S)
+        body = b"x" * 10_000_000
+        sent = iter([body[:5_000_000], body[5_000_000:]]) if is_chunked else body
+        connection.request("POST", "/api/v1/evaluate", sent)
+        answer = connection.getresponse()
+        assert answer.status == 413
+        answer.read()
+        connection.request("GET", "/api/v1/health")
+        assert connection.getresponse().read()
+        connection.close()
 
 
 class TestProxies:
@@ -177,121 +155,108 @@ class TestProxies:
         [("", "http"), ("192.0.2.1", "http"), ("127.0.0.1", "https"), ("127.0.0.0/8", "https")],
     )
     def test_only_trusted_ones(self, trusted: str, scheme: str) -> None:
-        with served(settings=Settings(trusted_proxies=trusted)) as address:
+        with served(APP, Settings(trusted_proxies=trusted)) as address:
             answer = exchange(address, self.TARGET)
         assert answer.status == 307
         assert answer.headers["location"] == f"{scheme}://test/docs/"
 
 
-class TestTime:
-    @pytest.mark.parametrize(
-        "start",
-        [
-            b"GET " + HEALTH + b" HTTP/1.1\r\nHost: te",
-            b"G",
-            b"POST " + HEALTH.replace(b"health", b"evaluate")
-            + b" HTTP/1.1\r\nHost: test\r\nContent-Length: 100\r\n",
-        ],
-    )  # fmt: skip
-    def test_a_request_that_does_not_go_on(self, hasty: Address, start: bytes) -> None:
-        refused(exchange(hasty, start), 408, "FRESNEL_READ_TIMEOUT_S")
-
-    def test_a_request_in_drops_takes_no_longer(self, hasty: Address) -> None:
-        """One byte at a time does not count as going on."""
-        with socket.create_connection(hasty, timeout=PATIENCE_S) as connection:
-            connection.sendall(b"GET " + HEALTH + b" HTTP/1.1\r\nX: ")
-            for _ in range(int(PATIENCE_S / 0.05)):
-                connection.sendall(b"x")
-                if select.select([connection], [], [], 0.05)[0]:
-                    break
-            refused(received(connection), 408, "FRESNEL_READ_TIMEOUT_S")
-
-    def test_a_connection_that_says_nothing_is_closed_silently(self, hasty: Address) -> None:
-        with socket.create_connection(hasty, timeout=PATIENCE_S) as connection:
-            assert connection.recv(1000) == b""
-
-    def test_an_answer_that_is_not_read_is_given_up(
-        self, tight: Address, hasty: Address, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
-        lost, connection_lost = threading.Event(), BoundedProtocol.connection_lost
-
-        def noted(protocol: BoundedProtocol, exc: Exception | None) -> None:
-            connection_lost(protocol, exc)
-            if protocol.client == address:
-                lost.set()
-
-        target = API + b"/curves?samples=20001&models=exact,schlick&phase=true&refraction=true"
-        expected = len(get(tight, target).body)
-        assert expected > 2_000_000
-        with socket.socket() as connection:
-            connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
-            connection.connect(hasty)
-            address = connection.getsockname()
-            monkeypatch.setattr(BoundedProtocol, "connection_lost", noted)
-            # Several, as the system's own buffers may hold one.
-            connection.sendall(5 * (b"GET " + target + b" HTTP/1.1\r\nHost: test\r\n\r\n"))
-            assert lost.wait(PATIENCE_S)
-            connection.settimeout(10)
-            taken = 0
-            with suppress(ConnectionResetError):
-                while part := connection.recv(1_000_000):
-                    taken += len(part)
-        assert taken < 5 * expected
-
-    def test_a_slow_reader_is_waited_for_while_it_reads(self) -> None:
-        transport = Mock()
-        transport.get_write_buffer_size.return_value = 300
-        protocol = BoundedProtocol.__new__(BoundedProtocol)
-        protocol.loop, protocol.transport = Mock(), transport
-        protocol._settings, protocol._write_timer = HASTY, None
-        protocol.flow = Mock()
-        protocol.pause_writing()
-        for size in (200, 100, 1):
-            patience, elapsed = protocol.loop.call_later.call_args.args
-            assert patience == HASTY.write_timeout_s
-            transport.get_write_buffer_size.return_value = size
-            elapsed()
-        transport.abort.assert_not_called()
-        assert protocol.loop.call_later.call_count == 4
-        elapsed()
-        transport.abort.assert_called_once()
+def bounded(app: ASGIApp, write_timeout_s: float) -> Bounded:
+    return Bounded(app, target_bytes=200, header_bytes=1000, write_timeout_s=write_timeout_s)
 
 
-def slow(address: Address) -> socket.socket:
-    """Open a connection and send the beginning of a request."""
-    connection = socket.create_connection(address, timeout=10)
-    connection.sendall(b"GET " + HEALTH + b" HTTP/1.1\r\nHost: test\r\nX-Slow: ")
-    return connection
+class TestUnreadAnswers:
+    """A large answer is handed to the server in pieces, each when a client has read some of it."""
 
+    BODY = bytes(range(256)) * 4000
 
-class TestManyConnections:
-    def test_one_more_than_the_most_is_told_so(self) -> None:
+    @classmethod
+    async def app(cls, scope: Scope, _: Receive, send: Send) -> None:
+        headers = [(b"content-length", b"%d" % len(cls.BODY))] if "length" in scope["path"] else []
+        await send({"type": "http.response.start", "status": 200, "headers": headers})
+        await send({"type": "http.response.body", "body": cls.BODY[:700_000], "more_body": True})
+        await send({"type": "http.response.body", "body": cls.BODY[700_000:]})
+
+    def sent_to(self, reads: Callable[[int], bool], path: str) -> list[Message]:
+        """What is sent to a client that reads as long as `reads` says of the number of messages."""
+        sent: list[Message] = []
+
+        async def take(message: Message) -> None:
+            if not reads(len(sent)):
+                await asyncio.Event().wait()
+            sent.append(message)
+
+        async def receive() -> Message:
+            return {"type": "http.disconnect"}
+
+        scope = {"type": "http", "path": path, "raw_path": b"", "query_string": b"", "headers": []}
+        asyncio.run(bounded(self.app, 0.05)(scope, receive, take))
+        return sent
+
+    @pytest.mark.parametrize("path", ["/with/length", "/streamed"])
+    def test_one_who_reads_gets_all(self, path: str) -> None:
+        start, *parts = self.sent_to(lambda _: True, path)
+        assert start["status"] == 200
+        assert b"".join(part["body"] for part in parts) == self.BODY
+        assert all(len(part["body"]) <= 300_000 for part in parts)
+        assert [part.get("more_body", False) for part in parts] == [True] * (len(parts) - 1) + [
+            False
+        ]
+
+    @pytest.mark.parametrize("path", ["/with/length", "/streamed"])
+    @pytest.mark.parametrize("messages", [0, 1, 3])
+    def test_one_who_reads_nothing_more_is_given_up(self, path: str, messages: int) -> None:
+        assert len(self.sent_to(lambda sent: sent < messages, path)) == messages
+
+    def test_the_connection_is_closed_then(self) -> None:
+        body = bytes(30_000_000)  # more than the system's own buffers hold
+        given_up = threading.Event()
+
+        async def app(_: Scope, __: Receive, send: Send) -> None:
+            await send({"type": "http.response.start", "status": 200, "headers": []})
+            await send({"type": "http.response.body", "body": body})
+
+        async def noted(scope: Scope, receive: Receive, send: Send) -> None:
+            if scope["type"] == "http":
+                await bounded(app, 0.1)(scope, receive, send)
+                given_up.set()
+
         with (
-            served(settings=Settings(max_connections=5, keep_alive_s=600)) as address,
-            ExitStack() as held,
+            served(noted) as address,
+            socket.create_connection(address, timeout=PATIENCE_S) as connection,
         ):
+            connection.sendall(b"GET /" + HOST + b"\r\n")
+            assert given_up.wait(PATIENCE_S)
+            taken = sum(len(part) for part in iter(lambda: connection.recv(1_000_000), b""))
+        assert taken < len(body)
+
+
+class TestConnections:
+    @pytest.mark.parametrize("http", PARSERS)
+    def test_every_request_of_a_connection_is_answered_in_order(self, http: Parser) -> None:
+        unread = b"POST /api/v1/snell" + HOST + b"Content-Length: 10\r\n\r\n0123456789"
+        large = b"".join(b"GET " + MAP % steps + HOST + b"\r\n" for steps in (90, 91))
+        last = b"GET " + HEALTH + HOST + CLOSE + b"\r\n"
+        with (
+            served(APP, Settings(http=http)) as address,
+            socket.create_connection(address, timeout=PATIENCE_S) as connection,
+        ):
+            connection.sendall(unread + large + last)
+            data = b"".join(iter(lambda: connection.recv(65536), b""))
+        statuses = re.findall(rb"HTTP/1\.1 (\d{3}) ", data)
+        assert statuses == [b"405", b"200", b"200", b"200"]
+
+    @pytest.mark.parametrize("http", PARSERS)
+    def test_one_more_than_the_most_is_told_so(self, http: Parser) -> None:
+        settings = Settings(http=http, max_connections=5, keep_alive_s=600)
+        with served(APP, settings) as address, ExitStack() as held:
             for _ in range(5):
                 one = held.enter_context(socket.create_connection(address, timeout=PATIENCE_S))
-                one.sendall(b"GET " + HEALTH + b" HTTP/1.1\r\nHost: test\r\n\r\n")
-                assert one.recv(1, socket.MSG_PEEK)  # it is among the connections now
-            answer = exchange(address, b"")
-            refused(answer, 503, "FRESNEL_MAX_CONNECTIONS")
-            assert int(answer.headers["retry-after"]) >= 1
-
-    def test_two_thousand_slow_ones_do_not_starve_others(self) -> None:
-        """How soon `/health` answers then, `python -m benchmarks health` measures."""
-        soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
-        allow_open_files(2 * 2200)
-        if resource.getrlimit(resource.RLIMIT_NOFILE)[0] < 2 * 2100:
-            pytest.skip("this system does not let a process open so many files")
-        try:
-            with served() as address, ExitStack() as held:
-                for _ in range(2000):
-                    held.enter_context(slow(address))
-                for _ in range(50):
-                    assert get(address, HEALTH).status == 200
-        finally:
-            resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
+                one.sendall(b"GET " + HEALTH + HOST + b"\r\n")
+                assert one.recv(12) == b"HTTP/1.1 200"
+            one = held.enter_context(socket.create_connection(address, timeout=PATIENCE_S))
+            one.sendall(b"GET " + HEALTH + HOST + b"\r\n")
+            assert received(one).status == 503
 
     def test_computations_do_not_hold_up_the_health_check(
         self, monkeypatch: pytest.MonkeyPatch
@@ -308,16 +273,34 @@ class TestManyConnections:
             return run(pool, wait)
 
         monkeypatch.setattr(Pool, "run", held)
-        target = API + b"/errors/map?x=n_t&y=k_t&metric=rms&x_steps=90&y_steps=%d"
-        settings = Settings(threads=3)
-        with served(settings=settings) as address, ThreadPoolExecutor(3) as clients:
-            asked = [clients.submit(get, address, target % (90 + i)) for i in range(3)]
+        with served(APP) as address, ThreadPoolExecutor() as clients:
+            asked = [
+                clients.submit(get, address, MAP % (95 + i)) for i in range(Settings().threads)
+            ]
             for _ in asked:
                 assert begun.acquire(timeout=10)
             assert get(address, HEALTH).status == 200
             assert not any(one.done() for one in asked)
             go_on.set()
             assert all(one.result().status == 200 for one in asked)
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        ({}, "httptools"),
+        ({"host": "127.0.0.2"}, "httptools"),
+        ({"host": "::1"}, "httptools"),
+        ({"host": "localhost"}, "httptools"),
+        ({"host": "0.0.0.0"}, "h11"),  # noqa: S104
+        ({"host": "::"}, "h11"),
+        ({"host": "fresnel.example"}, "h11"),
+        ({"host": "127.0.0.1", "http": "h11"}, "h11"),
+        ({"host": "::", "http": "httptools"}, "httptools"),
+    ],
+)
+def test_strangers_meet_the_parser_that_keeps_little(given: dict[str, Any], expected: str) -> None:
+    assert parser(Settings(**given)) == expected
 
 
 def test_files_that_may_be_open_are_never_made_fewer() -> None:

@@ -12,7 +12,7 @@ from typing import Any
 import uvicorn
 
 from app.main import create_app
-from app.server.protocol import Config
+from app.server.run import configuration
 from app.settings import Settings
 from tests.api.raw import Answer
 
@@ -24,7 +24,7 @@ def served(app: Any = None, settings: Settings | None = None) -> Iterator[Addres
     """Serve an application, or ours with these settings, and yield where."""
     settings = settings or Settings()
     app = app or create_app(settings)
-    server = uvicorn.Server(Config(app, settings, port=0, log_level="critical"))
+    server = uvicorn.Server(configuration(app, settings, port=0, log_level="critical"))
     thread = threading.Thread(target=server.run)
     thread.start()
     try:

@@ -1,13 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import {
-  allLandmarksOf,
-  axesOf,
-  landmarksOf,
-  marksOf,
-  readingAt,
-  tracesOf,
-} from "../../static/js/curves/reading.js";
+import { allLandmarksOf, landmarksOf, readingAt } from "../../static/js/curves/reading.js";
+import { axesOf, marksOf, tracesOf } from "../../static/js/curves/traces.js";
 
 /** @type {Interface} */
 const MEDIA = {
@@ -46,7 +40,7 @@ function curves(media = {}) {
   };
 }
 
-/** @type {Shown} */
+/** @type {import("../../static/js/curves/traces.js").Shown} */
 const SHOWN = { polarization: "unpolarized", angle: "deg", show: [], models: [], marks: true };
 const MODELS = /** @type {any} */ ([
   { id: "exact", title: "Exact" },

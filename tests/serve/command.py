@@ -5,12 +5,13 @@ from __future__ import annotations
 import http.client
 import json
 import os
+import socket
 import subprocess
 import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from itertools import count
 from pathlib import Path
@@ -42,8 +43,17 @@ class Served:
         self.output = output
 
     def connect(self) -> http.client.HTTPConnection:
-        assert self.host is not None
-        return http.client.HTTPConnection(self.host, self.port, timeout=PATIENCE_S)
+        return http.client.HTTPConnection(*self.address, timeout=PATIENCE_S)
+
+    @property
+    def address(self) -> tuple[str, int]:
+        return self.host or "", self.port or 0
+
+    def listens(self) -> bool:
+        with suppress(OSError):
+            socket.create_connection(self.address).close()
+            return True
+        return False
 
     def ask(self, target: str, method: str = "GET", **headers: str) -> Answer:
         """Send one request over a connection of its own."""

@@ -6,13 +6,13 @@ import os
 import shutil
 import socket
 import subprocess
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 
-from tests.serve.command import ROOT, Served, answers, wait_for
+from tests.serve.command import ROOT, Served, wait_for
 
 CONFIGURATION = ROOT / "deploy" / "nginx" / "nginx.conf"
 
@@ -54,21 +54,29 @@ def _succeeds(command: Sequence[str], folder: Path) -> bool:
 
 
 @contextmanager
-def in_front_of(nginx: Path, folder: Path, servers: Sequence[Served]) -> Iterator[Served]:
-    """Start nginx with the configuration of `deploy/`, other ports and folders put in."""
+def in_front_of(
+    nginx: Path, folder: Path, addresses: Sequence[str], changed: Mapping[str, str] | None = None
+) -> Iterator[Served]:
+    """Start nginx with the configuration of `deploy/`, other ports, folders and texts put in.
+
+    127.0.0.7 stands for a proxy before it.
+    """
     with socket.create_server(("127.0.0.1", 0)) as probe:
         port = probe.getsockname()[1]
     text = CONFIGURATION.read_text("utf-8")
-    for theirs, ours in (("listen 8080", f"listen 127.0.0.1:{port}"), ("/tmp/", f"{folder}/")):  # noqa: S108
+    here = {"listen 8080": f"listen 127.0.0.1:{port}", "/tmp/": f"{folder}/"}  # noqa: S108
+    for theirs, ours in (here | dict(changed or {})).items():
         assert theirs in text
         text = text.replace(theirs, ours)
     (folder / "nginx.conf").write_text(text, "utf-8")
-    addresses = "".join(
-        f"server {server.host}:{server.port} max_fails=1 fail_timeout=5s;\n" for server in servers
-    )
-    upstream = (
-        f"upstream servers {{\nzone servers 64k;\nleast_conn;\n{addresses}keepalive 32;\n}}\n"
-    )
+    servers = "".join(f"server {address} max_fails=1 fail_timeout=5s;\n" for address in addresses)
+    upstream = f"""
+        upstream servers {{ zone servers 64k; least_conn; {servers} keepalive 32; }}
+        geo $realip_remote_addr $is_proxy {{ default 0; 127.0.0.7 1; }}
+        set_real_ip_from 127.0.0.7;
+        real_ip_header X-Forwarded-For;
+        real_ip_recursive on;
+    """
     (folder / "upstream.conf").write_text(upstream, "utf-8")
     # Workers of a master that runs as root would be another user, who may not enter the folder.
     main = "daemon off;" + (" user root;" if os.geteuid() == 0 else "")
@@ -82,7 +90,7 @@ def in_front_of(nginx: Path, folder: Path, servers: Sequence[Served]) -> Iterato
     ):
         front = Served(process, f"http://127.0.0.1:{port}", output)
         try:
-            wait_for(lambda: process.poll() is not None or answers(front, "/api/v1/health/live"))
+            wait_for(lambda: process.poll() is not None or front.listens())
             assert process.poll() is None, errors.read_text("utf-8")
             yield front
         finally:

@@ -152,6 +152,11 @@ def test_a_server_has_the_time_to_stop_that_it_takes() -> None:
 def test_nginx_waits_and_takes_as_much_as_a_server() -> None:
     (seconds,) = re.findall(r"proxy_read_timeout (\d+)s;", NGINX)
     assert int(seconds) > Settings.model_fields["timeout_s"].default
+    (megabytes,) = re.findall(r"client_max_body_size (\d+)m;", NGINX)
+    assert int(megabytes) * 2**20 >= Settings.model_fields["max_body_bytes"].default
+    # Long heads are read to their end by nginx, and refused by the servers' own bounds.
+    for settings in (kubernetes_settings(), settings_of(COMPOSE["services"]["app"]["environment"])):
+        assert settings.http == "httptools"
 
 
 def test_the_servers_believe_nginx_and_only_what_is_inside() -> None:

@@ -5,16 +5,29 @@ from __future__ import annotations
 import gzip
 import json
 import signal
+import socket
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
-from http.client import HTTPConnection
+from http import HTTPStatus
+from http.client import HTTPConnection, HTTPResponse
+from pathlib import Path
 
 import pytest
 import zstandard
 
 from app.http.problems import MEDIA_TYPE, Problem
-from tests.serve.command import API, Answer, Load, Served, serving, wait_for
+from tests.serve.command import (
+    API,
+    PATIENCE_S,
+    Answer,
+    Load,
+    Served,
+    answers,
+    serving,
+    wait_for,
+)
 from tests.serve.nginx import find_nginx, in_front_of
 
 CURVES = f"{API}/curves?models=exact,schlick&n_t=1.{{}}"
@@ -26,6 +39,11 @@ class Site:
 
     front: Served
     servers: list[Served]
+
+    def logged(self, request_id: str) -> list[dict[str, object]]:
+        """What the servers logged of a request."""
+        lines = [line for server in self.servers for line in server.logged()]
+        return [line for line in lines if line["request_id"] == request_id]
 
     def reached(self, target: str, at_least: int = 0) -> int:
         """How many requests for an address came to the servers.
@@ -41,16 +59,41 @@ class Site:
             time.sleep(0.05)
 
 
+REFUSED = (400, 404, 413, 414, 494, 500, 502, 503, 504)
+TESTED = "".join(f"location = /refused/{status} {{ return {status}; }}\n" for status in REFUSED)
+
+
 @pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
-    nginx = find_nginx(tmp_path_factory.mktemp("package"))
+def nginx(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return find_nginx(tmp_path_factory.mktemp("package"))
+
+
+@pytest.fixture(scope="module")
+def site(nginx: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
     folders = [tmp_path_factory.mktemp(name) for name in ("first", "second", "nginx")]
     with (
         serving(folders[0], FRESNEL_TRUSTED_PROXIES="127.0.0.1") as first,
         serving(folders[1], FRESNEL_TRUSTED_PROXIES="127.0.0.1") as second,
-        in_front_of(nginx, folders[2], [first, second]) as front,
+        in_front_of(nginx, folders[2], [f"127.0.0.1:{s.port}" for s in (first, second)]) as front,
     ):
+        wait_for(lambda: answers(front, f"{API}/health/live"))
         yield Site(front, [first, second])
+
+
+@pytest.fixture(scope="module")
+def alone(nginx: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
+    """A hasty nginx before one server that is not there and one that never answers."""
+    with socket.create_server(("127.0.0.1", 0)) as late, socket.socket() as closed:
+        closed.bind(("127.0.0.1", 0))
+        port = late.getsockname()[1]
+        slow = f"location = /late {{ proxy_pass http://127.0.0.1:{port}; proxy_read_timeout 1s; }}"
+        changed = {
+            "location / {": f"{TESTED} {slow} location / {{",
+            "client_header_timeout 15s": "client_header_timeout 1s",
+        }
+        upstream = [f"127.0.0.1:{closed.getsockname()[1]}"]
+        with in_front_of(nginx, tmp_path_factory.mktemp("alone"), upstream, changed) as front:
+            yield front
 
 
 def test_an_answer_is_asked_for_once(site: Site) -> None:
@@ -118,32 +161,89 @@ def test_ids_are_those_of_the_request_though_the_answer_is_cached(site: Site) ->
     assert len(own) == 32
     fresh = f"{API}/health?{own}"
     assert site.front.ask(fresh, X_Request_ID=own).status == 422
-    assert any(line["request_id"] == own for server in site.servers for line in server.logged())
+    wait_for(lambda: bool(site.logged(own)))
 
 
 def test_the_servers_know_the_client_from_nginx_and_not_from_itself(site: Site) -> None:
-    port = site.front.port
-    connection = HTTPConnection("127.0.0.1", port, source_address=("127.0.0.9", 0))
+    connection = HTTPConnection(*site.front.address, source_address=("127.0.0.9", 0))
     spoofed = {"X-Forwarded-For": "203.0.113.7", "X-Request-ID": "from-nine"}
     connection.request("GET", f"{API}/health", headers=spoofed)
     assert connection.getresponse().read()
     connection.close()
 
-    def lines() -> list[dict[str, object]]:
-        logged = [line for server in site.servers for line in server.logged()]
-        return [line for line in logged if line["request_id"] == "from-nine"]
-
-    wait_for(lambda: bool(lines()))
-    assert [line["client"] for line in lines()] == ["127.0.0.9"]
+    wait_for(lambda: bool(site.logged("from-nine")))
+    assert [line["client"] for line in site.logged("from-nine")] == ["127.0.0.9"]
 
 
-def test_metrics_are_not_for_everybody_and_refusals_are_problems(site: Site) -> None:
+@pytest.mark.parametrize(("client", "scheme"), [("127.0.0.7", "https"), ("127.0.0.8", "http")])
+def test_a_proxy_before_nginx_says_who_the_client_is_and_how_it_came(
+    site: Site, client: str, scheme: str
+) -> None:
+    connection = HTTPConnection(*site.front.address, source_address=(client, 0))
+    said = {"X-Forwarded-Proto": "https", "X-Forwarded-For": "203.0.113.7", "Host": "test"}
+    connection.request("GET", "/docs", headers=said | {"X-Request-ID": f"from-{scheme}"})
+    assert connection.getresponse().headers["Location"] == f"{scheme}://test/docs/"
+    connection.close()
+    wait_for(lambda: bool(site.logged(f"from-{scheme}")))
+    (line,) = site.logged(f"from-{scheme}")
+    assert line["client"] == ("203.0.113.7" if scheme == "https" else client)
+
+
+def test_metrics_are_not_for_everybody(site: Site) -> None:
     assert site.servers[0].ask("/metrics").status == 200
-    for target, status in (("/metrics", 404), (f"{API}/{'x' * 40_000}", 414)):
-        answer = site.front.ask(target)
-        assert answer.status == status
-        assert answer.headers["Content-Type"] == MEDIA_TYPE
-        assert Problem.model_validate_json(answer.body, strict=True).status == status
+    is_problem(site.front.ask("/metrics"), 404)
+
+
+def is_problem(answer: Answer, status: int) -> None:
+    """Assert that this is a problem as the servers would write it."""
+    assert answer.status == status
+    assert answer.headers["Content-Type"] == MEDIA_TYPE
+    assert answer.headers["Access-Control-Allow-Origin"] == "*"
+    assert answer.headers["X-Content-Type-Options"] == "nosniff"
+    assert answer.headers["X-Request-ID"]
+    assert (answer.headers["Retry-After"] is not None) == (status in (502, 503, 504))
+    problem = Problem.model_validate_json(answer.body, strict=True, extra="forbid")
+    assert (problem.status, problem.errors) == (status, [])
+    titles = {413: "Content Too Large", 414: "URI Too Long"}  # older Pythons have older names
+    assert problem.title == titles.get(status, HTTPStatus(status).phrase)
+    assert problem.detail
+
+
+@pytest.mark.parametrize("status", REFUSED)
+def test_every_refusal_of_nginx_is_a_problem(alone: Served, status: int) -> None:
+    is_problem(alone.ask(f"/refused/{status}"), 431 if status == 494 else status)
+
+
+@pytest.mark.parametrize(
+    ("request_", "status"),
+    [
+        (b"GET / HTTP/1.1\r\n\r\n", 400),
+        (b"what is this\r\n\r\n", 400),
+        (b"GET /" + b"x" * 40_000 + b" HTTP/1.1\r\nHost: x\r\n\r\n", 414),
+        (b"GET / HTTP/1.1\r\nHost: x\r\nX: " + b"x" * 40_000 + b"\r\n\r\n", 431),
+        (b"POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 200000000\r\n\r\n", 413),
+        (b"GET / HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n", 502),
+        (b"GET /late HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n", 504),
+    ],
+    ids=lambda x: repr(x)[:30],
+)
+def test_what_brings_a_refusal_about(alone: Served, request_: bytes, status: int) -> None:
+    with socket.create_connection(alone.address, PATIENCE_S) as connection:
+        connection.sendall(request_)
+        answer = HTTPResponse(connection)
+        answer.begin()
+        is_problem(Answer(answer.status, answer.headers, answer.read()), status)
+
+
+@pytest.mark.parametrize("start", [b"", b"GET / HTTP/1.1\r\nHost: x\r\nX-Slow: "])
+def test_a_request_that_does_not_come_is_not_waited_for(alone: Served, start: bytes) -> None:
+    """nginx hangs up without a word, so that there is no 408."""
+    with (
+        socket.create_connection(alone.address, PATIENCE_S) as connection,
+        suppress(ConnectionResetError),
+    ):
+        connection.sendall(start)
+        assert connection.recv(1000) == b""
 
 
 def test_a_killed_server_costs_no_more_than_what_it_held(site: Site) -> None:

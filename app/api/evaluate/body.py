@@ -57,4 +57,4 @@ class Bodies:
             f"the body is larger than {self._limit} bytes (FRESNEL_MAX_BODY_BYTES); "
             "send an Arrow stream, which takes less, or several calls"
         )
-        return HTTPException(413, detail, {"Connection": "close"})  # the rest is not read
+        return HTTPException(413, detail)

@@ -9,9 +9,6 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from app.server.observe.access_log import AccessLog, request_id
 from app.server.observe.metrics import Metrics
 
-OBSERVED = "observed"
-"""Where the lifespan's state has the one `Observed`, for what is refused before the application."""
-
 _HUNG_UP = 499
 """Status of a request whose client left before an answer began, as nginx counts it."""
 
@@ -39,12 +36,10 @@ class Observed:
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass the request on and the answer back."""
         if scope["type"] != "http":
-            if "state" in scope:
-                scope["state"][OBSERVED] = self
             await self.app(scope, receive, send)
             return
         started = perf_counter()
-        identity = identify(scope)
+        identity = request_id(scope["headers"])
         status, sent, error = _HUNG_UP, 0, None
 
         async def observed_send(message: Message) -> None:
@@ -65,52 +60,25 @@ class Observed:
             status = 500 if status == _HUNG_UP else status
             raise
         finally:
-            # The server itself may have told the client something else, see app.server.protocol.
-            status, sent = scope.get("refused", (status, sent))
-            self._ended(scope, status, sent, perf_counter() - started, error)
-
-    def refused(self, scope: Scope, status: int, sent: int, seconds: float) -> None:
-        """Log and count what was refused before the application saw it.
-
-        Parameters
-        ----------
-        scope
-            What is known of the request, its id included; the method is empty if not even that is.
-        status, sent
-            Status and length of the answer.
-        seconds
-            Time from the request's first byte to the answer.
-        """
-        self._metrics.began()
-        self._ended(scope, status, sent, seconds)
-
-    def _ended(
-        self, scope: Scope, status: int, sent: int, seconds: float, error: str | None = None
-    ) -> None:
-        route = template(scope)
-        self._metrics.ended(scope["method"], route, status, seconds, scope.get("cache"))
-        if self._access_log is not None:
-            self._access_log.write(
-                scope,
-                identity=scope["request_id"],
-                route=route,
-                status=status,
-                sent=sent,
-                seconds=seconds,
-                error=error,
-            )
-
-
-def identify(scope: Scope) -> bytes:
-    """Give a request its id, unless it has one, and return it."""
-    identity: bytes = scope.setdefault("request_id", request_id(scope["headers"]))
-    return identity
+            seconds = perf_counter() - started
+            route = template(scope)
+            self._metrics.ended(scope["method"], route, status, seconds, scope.get("cache"))
+            if self._access_log is not None:
+                self._access_log.write(
+                    scope,
+                    identity=identity,
+                    route=route,
+                    status=status,
+                    sent=sent,
+                    seconds=seconds,
+                    error=error,
+                )
 
 
 def template(scope: Scope) -> str:
     """Name the route that took a request: `/api/v1/models/{model_id}`, or `/{path}` for no route.
 
-    What no route takes are the page's files, what is nowhere and what was refused beforehand.
+    What no route takes are the page's files, what is nowhere and what is too long.
     """
     own: str | None = getattr(scope.get("route"), "path", None)
     if own is None:

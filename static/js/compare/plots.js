@@ -1,8 +1,10 @@
 /** The overlaid curves and, below them on the same axis of angles, their errors. */
 
-import { angleAxis, landmarksOf, locate, read } from "../curves/reading.js";
+import { landmarksOf, locate, read } from "../curves/reading.js";
+import { angleAxis } from "../curves/traces.js";
 import { curveTraces, distinct, errorRange, errorTraces } from "../errors/traces.js";
-import { clamp, inDegrees, inUnit } from "../numbers/format.js";
+import { clamp } from "../numbers/entry.js";
+import { inDegrees, inUnit } from "../numbers/format.js";
 import { traceUid } from "../plot/figure.js";
 import { createPair } from "../plot/pair.js";
 

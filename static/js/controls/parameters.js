@@ -1,14 +1,16 @@
 /** Controls of the models' own parameters, made from their declarations. */
 
 import { modelStyle, sample, shortTitle } from "../models/look.js";
-import { ExpressionError, evaluate } from "../numbers/expression.js";
+import { ExpressionError, evaluate } from "../numbers/entry.js";
 import { plain } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
-import { loadStyle } from "../page/style.js";
 import { defaultOf, stateName } from "../server/questions.js";
-import { createChoice, createRow } from "./panel.js";
+import { createChoice } from "./panel.js";
+import { createRow } from "./row.js";
 
-await loadStyle("css/parameters.css");
+/**
+ * @typedef {{element: HTMLElement, update: (value: any, solved?: number) => void, stop: () => void}} Control
+ */
 
 const CHANNELS = /** @type {const} */ (["R", "G", "B"]);
 
@@ -89,9 +91,10 @@ function tripleControl(parameter, name, prefix, onChange, onSettle) {
   const label = brief(parameter.description);
   /** @type {any} */
   let value = parameter.default;
-  const error = h("p.row-error", { role: "alert" });
+  const error = h("p", { class: "row-error", role: "alert" });
   const boxes = CHANNELS.map((channel) =>
-    h("input.box", {
+    h("input", {
+      class: "box",
       type: "text",
       autocomplete: "off",
       "aria-label": `${label}, ${channel}`,
@@ -99,19 +102,19 @@ function tripleControl(parameter, name, prefix, onChange, onSettle) {
     }),
   );
   const split = h(
-    "button.mini.rgb",
-    { type: "button", "aria-pressed": "false", onclick: toggle },
+    "button",
+    { type: "button", class: "mini rgb", "aria-pressed": "false", onclick: toggle },
     "R, G, B",
   );
   split.setAttribute("aria-label", `${label}: a value for each of R, G and B`);
   const three = h(
-    "div.triple",
-    { role: "group", "aria-label": label },
-    h("span.row-name", symbol(parameter.symbol), h("span", label)),
-    h("div.triple-boxes", ...boxes),
+    "div",
+    { class: "triple", role: "group", "aria-label": label },
+    h("span", { class: "row-name" }, symbol(parameter.symbol), h("span", {}, label)),
+    h("div", { class: "triple-boxes" }, ...boxes),
     error,
   );
-  const element = h("div.triple-control", single.element, three, split);
+  const element = h("div", { class: "triple-control" }, single.element, three, split);
 
   function commit() {
     try {
@@ -167,9 +170,15 @@ function choiceControl(parameter, onChange) {
   return { element: group.element, stop: () => {}, update: (value) => group.update([value]) };
 }
 
-/** @param {ParametersOptions} options */
+/**
+ * @param {object} options
+ * @param {Model[]} options.models
+ * @param {() => State} options.state
+ * @param {Actions} options.actions
+ * @param {string} [options.prefix] of ids
+ */
 export function createParameters({ models, state, actions, prefix = "" }) {
-  const element = h("div.own-rows");
+  const element = h("div", { class: "own-rows" });
   /** @type {Map<string, {box: HTMLElement, controls: Map<string, Control>}>} */
   const made = new Map();
 
@@ -192,9 +201,11 @@ export function createParameters({ models, state, actions, prefix = "" }) {
       }),
     );
     const box = h(
-      "details.own",
+      "details",
+      { class: "own" },
       h(
-        "summary.own-name",
+        "summary",
+        { class: "own-name" },
         sample(modelStyle(models, model.id)),
         `${shortTitle(model.title)}: parameters`,
       ),

@@ -1,6 +1,5 @@
-/** The list of media below a field that is typed into. */
+/** One of the catalog's media: a field that is typed into, and the list of what fits. */
 
-import { stretch } from "../media/wavelength.js";
 import { h } from "../page/dom.js";
 import { distance } from "../state/state.js";
 
@@ -43,31 +42,55 @@ export function matching(materials, text) {
   return near.sort((a, b) => a.far - b.far).map(({ m }) => m);
 }
 
-/** @param {string} word */
-function capital(word) {
-  return word.charAt(0).toUpperCase() + word.slice(1);
-}
-
-/** What tells media of one name apart. @param {Material} material */
-function origin({ id, kind, n_range_nm }) {
-  if (kind === "spectrum" && n_range_nm) return stretch(n_range_nm);
-  return `${capital(/-([a-z]+)$/.exec(id)?.[1] ?? "")}'s table`;
-}
-
-/** @param {Material} material @returns {string} */
-function groupOf({ id, category }) {
-  return id.endsWith("-shirley") ? "Shirley's table, 589 nm" : capital(category);
-}
-
-/** @param {ListOptions} options */
-export function createList({ input, materials, note, refusal, describe, onPick, written, chosen }) {
+/**
+ * @param {object} options
+ * @param {string} options.label
+ * @param {readonly Material[]} options.materials
+ * @param {(material: Material) => string} options.groupOf
+ * @param {(material: Material) => string} options.note beside the name
+ * @param {(material: Material) => string} options.origin where the note comes from
+ * @param {(material: Material) => string | null} options.refusal why a medium cannot stand on this side
+ * @param {() => Promise<void>} options.describe completes what media are found by
+ * @param {(id: string) => void} options.onPick
+ */
+export function createPicker({
+  label,
+  materials,
+  groupOf,
+  note,
+  origin,
+  refusal,
+  onPick,
+  describe,
+}) {
   pickers += 1;
   const own = `media-${pickers}`;
+  const input = h("input", {
+    class: "preset",
+    type: "text",
+    role: "combobox",
+    autocomplete: "off",
+    spellcheck: "false",
+    placeholder: "own value",
+    "aria-label": label,
+    "aria-expanded": "false",
+    "aria-autocomplete": "list",
+    "aria-haspopup": "listbox",
+  });
+  const element = h("span", { class: "picker media-picker" }, input);
   /** @type {HTMLElement | null} */
   let list = null;
   /** @type {Material[]} */
   let found = [];
   let active = -1;
+  /** @type {string | null} */
+  let chosen = null;
+
+  /** @param {string | null} id */
+  function written(id) {
+    const material = materials.find((m) => m.id === id);
+    return material ? `${material.name}\u2003${note(material)}` : "";
+  }
 
   /** @param {Material} material @param {number} index */
   function option(material, index) {
@@ -83,8 +106,8 @@ export function createList({ input, materials, note, refusal, describe, onPick, 
         "data-id": material.id,
         title: why,
       },
-      h("span.media-name", material.name),
-      h("span.note", `${note(material)} · ${origin(material)}`),
+      h("span", { class: "media-name" }, material.name),
+      h("span", { class: "note" }, `${note(material)} · ${origin(material)}`),
     );
   }
 
@@ -94,14 +117,14 @@ export function createList({ input, materials, note, refusal, describe, onPick, 
     const names = text.trim() === "" ? [...new Set(all.map(groupOf))] : [];
     found = names.length ? names.flatMap((name) => all.filter((m) => groupOf(m) === name)) : all;
     if (!list) {
-      list = h("ul.media-list", { id: own, role: "listbox", "aria-label": "Media" });
+      list = h("ul", { class: "media-list", id: own, role: "listbox", "aria-label": "Media" });
       // A press must not take the focus from the field.
       list.addEventListener("pointerdown", (event) => event.preventDefault());
       list.addEventListener("click", (event) => {
         const row = /** @type {HTMLElement} */ (event.target).closest("li[data-index]");
         if (row instanceof HTMLElement) take(Number(row.dataset.index));
       });
-      input.after(list);
+      element.append(list);
       input.setAttribute("aria-expanded", "true");
       input.setAttribute("aria-controls", own);
     }
@@ -119,15 +142,15 @@ export function createList({ input, materials, note, refusal, describe, onPick, 
         h(
           "ul",
           { role: "group", "aria-label": name },
-          h("li.media-group", { role: "presentation" }, name),
+          h("li", { class: "media-group", role: "presentation" }, name),
           ...members,
         ),
       );
     });
     list.replaceChildren(...(names.length ? rows : found.map(option)));
     if (found.length === 0)
-      list.append(h("li.media-group", { role: "presentation" }, "nothing is called so"));
-    activate(text.trim() === "" ? found.findIndex((m) => m.id === chosen()) : 0);
+      list.append(h("li", { class: "media-group", role: "presentation" }, "nothing is called so"));
+    activate(text.trim() === "" ? found.findIndex((m) => m.id === chosen) : 0);
   }
 
   function close() {
@@ -137,7 +160,7 @@ export function createList({ input, materials, note, refusal, describe, onPick, 
     input.setAttribute("aria-expanded", "false");
     input.removeAttribute("aria-controls");
     input.removeAttribute("aria-activedescendant");
-    input.value = written();
+    input.value = written(chosen);
   }
 
   /** @param {number} index */
@@ -165,35 +188,41 @@ export function createList({ input, materials, note, refusal, describe, onPick, 
     input.select();
   }
 
-  /** @type {Record<string, (event: Event) => void>} */
-  const answers = {
-    click() {
-      if (!list) open("");
-    },
-    async focus() {
-      await describe();
-      if (list && input.value !== written()) open(input.value);
-    },
-    input: () => open(input.value),
-    blur: close,
-    keydown(event) {
-      const { key, ctrlKey, metaKey } = /** @type {KeyboardEvent} */ (event);
-      if (ctrlKey || metaKey) return;
-      const step = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10 }[key];
-      if (step !== undefined) {
-        if (!list) open("");
-        else activate(Math.min(Math.max(active + step, 0), found.length - 1));
-      } else if (key === "Enter" && list) take(active);
-      else if (key === "Escape" && list) {
-        close();
-        input.select();
-      } else return;
+  input.addEventListener("click", () => {
+    if (list) return;
+    input.select();
+    open("");
+  });
+  input.addEventListener("focus", async () => {
+    await describe();
+    if (list && input.value !== written(chosen)) open(input.value);
+  });
+  input.addEventListener("input", () => open(input.value));
+  input.addEventListener("blur", close);
+  input.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey) return;
+    const step = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10 }[event.key];
+    if (step !== undefined) {
       event.preventDefault();
-    },
-  };
+      if (!list) open("");
+      else activate(Math.min(Math.max(active + step, 0), found.length - 1));
+    } else if (event.key === "Enter" && list) {
+      event.preventDefault();
+      take(active);
+    } else if (event.key === "Escape" && list) {
+      event.preventDefault();
+      close();
+      input.select();
+    }
+  });
+
   return {
-    isOpen: () => list !== null,
-    /** @param {Event} event of the field */
-    on: (event) => answers[event.type]?.(event),
+    element,
+    /** @param {string | null} id */
+    show(id) {
+      if (id === chosen) return;
+      chosen = id;
+      if (!list) input.value = written(id);
+    },
   };
 }

@@ -3,7 +3,12 @@
 const SWEEP_SECONDS = 8;
 const STILL_STEPS = 24; // with reduced motion the sweep goes in so many visible steps
 
-/** @param {PlayerOptions} options */
+/**
+ * @param {object} options
+ * @param {() => {value: number, low: number, high: number, fine: number}} options.now
+ * @param {(value: number) => void} options.onValue
+ * @param {(playing: boolean) => void} options.onPlaying
+ */
 export function createPlayer({ now, onValue, onPlaying }) {
   let frame = 0;
   let direction = 1;

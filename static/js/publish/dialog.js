@@ -8,10 +8,11 @@ import { load } from "../server/api.js";
 import { captionOf, mediaBehind } from "./caption.js";
 
 /**
+ * @typedef {import("../page/exports.js").Published} Published
  * @typedef {object} Task
  * @property {Published[]} figures
  * @property {string} call a part of the REST call that they show
- * @property {Behind} behind
+ * @property {import("./caption.js").Behind} behind
  * @property {string} name of the files
  * @property {(name: string, blob: Blob) => void} save
  */
@@ -48,9 +49,9 @@ function createDialog() {
   const withCaption = h("input", { type: "checkbox", name: "captioned", checked: true });
   /** A text for each figure. @type {HTMLTextAreaElement[]} */
   let words = [];
-  const captions = h("div.publish-captions");
-  const trouble = h("p.row-error", { role: "alert" });
-  const preview = h("div.publish-preview");
+  const captions = h("div", { class: "publish-captions" });
+  const trouble = h("p", { class: "row-error", role: "alert" });
+  const preview = h("div", { class: "publish-preview" });
   const saves = /** @type {const} */ (["svg", "png"]).map((format) =>
     h(
       "button",
@@ -63,19 +64,20 @@ function createDialog() {
     "form",
     { method: "dialog" },
     h(
-      "div.publish-fields",
-      h("label", h("span", "Ground"), ground),
-      ...boxes.map(({ label, input }) => h("label", h("span", label), input)),
+      "div",
+      { class: "publish-fields" },
+      h("label", {}, h("span", {}, "Ground"), ground),
+      ...boxes.map(({ label, input }) => h("label", {}, h("span", {}, label), input)),
     ),
-    h("label.publish-caption", withCaption, "Caption below the figure"),
+    h("label", { class: "publish-caption" }, withCaption, "Caption below the figure"),
     captions,
     trouble,
     preview,
-    h("div.publish-actions", ...saves, close),
+    h("div", { class: "publish-actions" }, ...saves, close),
   );
   const dialog = h(
-    "dialog.publish",
-    { "aria-labelledby": "publish-title" },
+    "dialog",
+    { class: "publish", "aria-labelledby": "publish-title" },
     h("h2", { id: "publish-title" }, "Figure for print"),
     form,
   );

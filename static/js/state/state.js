@@ -1,5 +1,14 @@
 /** One state object; its part that differs from the defaults stands in the URL. */
 
+/**
+ * @typedef {object} Field
+ * @property {any} default
+ * @property {(text: string) => any} parse throws a LinkError for what a link may not say
+ * @property {(value: any) => string} print
+ * @typedef {{key: string, text: string, message: string}} LinkProblem
+ * @typedef {{history?: 'push' | 'replace' | 'none'}} SetOptions
+ */
+
 export class LinkError extends Error {}
 
 const LONGEST_QUOTE = 40;
@@ -105,7 +114,14 @@ export function optional(options) {
   };
 }
 
-/** @param {Record<string, Field>} fields @param {StateOptions} [options] */
+/**
+ * @param {Record<string, Field>} fields
+ * @param {object} [options]
+ * @param {Pick<Window, 'history' | 'location'> | null} [options.window] whose URL follows the state; null for none
+ * @param {(state: Record<string, any>) => Record<string, any>} [options.implied] values that others imply
+ *   (a preset's indices): they follow from the state and are left out of the link
+ * @param {() => number} [options.now]
+ */
 export function createState(
   fields,
   { window: frame = null, implied = () => ({}), now = Date.now } = {},
@@ -160,7 +176,7 @@ export function createState(
      * `replace` is for the values of a gesture (a drag, a key held down): the first one makes the
      * gesture's history entry, the next ones replace it, and `push` or `settle` closes it.
      * @param {Record<string, any>} patch
-     * @param {{history?: 'push' | 'replace' | 'none'}} [options]
+     * @param {SetOptions} [options]
      */
     set(patch, { history = "push" } = {}) {
       const unknown = Object.keys(patch).find((key) => !(key in schema));
@@ -246,6 +262,8 @@ export function createState(
     },
   };
 }
+
+/** @typedef {ReturnType<typeof createState>} StateStore */
 
 const MOST_NAMED = 8;
 const NEAREST = 3;
