@@ -7,21 +7,16 @@ import { html, render } from "../page/lit.js";
 import { createCopy, heading } from "../page/tables.js";
 import { homeOf } from "./answers.js";
 import { COLUMNS, rowsOf, sortedClaims } from "./claims.js";
+import { chosenFits, turned } from "./fields.js";
 import { fitStyle } from "./style.js";
 
 /**
  * @typedef {import('./answers.js').Fit} Fit
  * @typedef {import('./claims.js').Row} Row
- * @typedef {import('../page/tables.js').Sorting & {chosen: readonly string[], surface: string}} Shown
  */
 
-/**
- * @param {object} options
- * @param {(by: string, order: 'up' | 'down') => void} options.onSort
- * @param {(id: string, surface: string) => void} options.onPick
- * @param {(text: string) => void} options.say
- */
-export function createClaims({ onSort, onPick, say }) {
+/** @param {ViewContext} context */
+export function createClaims({ state, actions, say }) {
   /** @type {Row[]} */
   let rows = [];
   const changed = createChanged();
@@ -35,6 +30,15 @@ export function createClaims({ onSort, onPick, say }) {
     ],
     say,
   );
+  /** Bring a fit onto the plot of its figure, or take it away. @param {string} id @param {string} surface */
+  function pick(id, surface) {
+    const chosen = state().surface === surface ? chosenFits(state()) : [];
+    const others = chosen.filter((other) => other !== id);
+    const fits = chosen.includes(id) ? others : [...others, id];
+    actions.set({ ...turned(state(), surface), fits: Object.freeze(fits) });
+  }
+  /** @param {string} by @param {string} order */
+  const sort = (by, order) => actions.set({ claims_by: by, claims_order: order });
   const element = h("div", {
     class: "claims-scroll",
     tabindex: "0",
@@ -42,8 +46,8 @@ export function createClaims({ onSort, onPick, say }) {
     "aria-label": "Table of claims",
   });
 
-  /** @param {Row} row @param {readonly Fit[]} fits @param {Shown} shown */
-  function line(row, fits, { chosen, surface }) {
+  /** @param {Row} row @param {readonly Fit[]} fits @param {State} now */
+  function line(row, fits, now) {
     const { id, title } = row.fit;
     const { holds, domain } = row.claim;
     const home = homeOf(domain);
@@ -51,8 +55,8 @@ export function createClaims({ onSort, onPick, say }) {
       <th scope="row"><button
         type="button"
         class="pick-fit"
-        aria-pressed=${chosen.includes(id) && surface === home}
-        @click=${() => onPick(id, home)}
+        aria-pressed=${chosenFits(now).includes(id) && now.surface === home}
+        @click=${() => pick(id, home)}
       >${sampled(fitStyle(fits, id))}<span>${title}</span></button></th>
       ${COLUMNS.slice(1).map((c) => html`<td class=${c.name}>${c.print(row)}</td>`)}
     </tr>`;
@@ -61,15 +65,17 @@ export function createClaims({ onSort, onPick, say }) {
   return {
     element,
     copy,
-    /** @param {readonly Fit[]} fits @param {Shown} shown */
-    update(fits, shown) {
-      if (!changed(fits, JSON.stringify(shown))) return;
-      rows = sortedClaims(rowsOf(fits), shown.by, shown.order);
+    /** @param {readonly Fit[]} fits @param {State} now */
+    update(fits, now) {
+      const { claims_by: by, claims_order: order, surface } = now;
+      if (!changed(fits, by, order, surface, chosenFits(now))) return;
+      rows = sortedClaims(rowsOf(fits), by, order);
+      const headings = COLUMNS.map((c) => heading(c, { by, order }, sort, "sort-by"));
       render(
         html`<table class="claims">
           <caption class="hidden">Largest errors of the fits, claimed and measured</caption>
-          <thead><tr>${COLUMNS.map((c) => heading(c, shown, onSort, "sort-by"))}</tr></thead>
-          <tbody>${rows.map((row) => line(row, fits, shown))}</tbody>
+          <thead><tr>${headings}</tr></thead>
+          <tbody>${rows.map((row) => line(row, fits, now))}</tbody>
         </table>`,
         element,
       );

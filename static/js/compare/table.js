@@ -1,48 +1,62 @@
 /** The table of errors: sortable; the row under the pointer or the focus lights its curve. */
 
-import { COLUMNS, sayCost, sorted } from "../errors/metrics.js";
+import { COLUMNS, sayCost, short, sorted } from "../errors/metrics.js";
+import { createDefinitions } from "../models/definitions.js";
 import { CHANNELS, modelStyle, traceName } from "../models/look.js";
 import { sampled } from "../models/sampled.js";
+import { angle } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { html, nothing, render } from "../page/lit.js";
 import { createCopy, heading } from "../page/tables.js";
 
 /**
  * @typedef {import('../errors/metrics.js').Row} Row
- * @typedef {import('../page/tables.js').Sorting & import('../errors/metrics.js').Setting & {rows: readonly Row[],
- *   focus: string | null, here: (trace: string) => string, at: string, stale: boolean}} Shown
- *   `here` is the error at the marked angle, `at` that angle
+ * @typedef {import('../errors/metrics.js').Cost} Cost
+ * @typedef {{state: State, rows: Row[], setting: import('../errors/metrics.js').Setting,
+ *   here: ReadonlyMap<string, number | null>}} Shown the rows in order, `here` the errors at the marked angle by trace
  */
 
-/**
- * @param {object} options
- * @param {Model[]} options.models
- * @param {(by: string, order: 'up' | 'down') => void} options.onSort
- * @param {(model: string | null) => void} options.onLight
- * @param {(model: string) => void} options.onFocus
- * @param {(text: string) => void} options.say
- */
-export function createTable({ models, onSort, onLight, onFocus, say }) {
+/** The server's weighted costs of all models. @param {any} answer of /recommend @returns {Map<string, number>} */
+function pricesOf(answer) {
+  const all = answer ? [...answer.models, ...answer.refused] : [];
+  return new Map(all.map((c) => [c.model, c.weighted_cost]));
+}
+
+/** The errors of the models that are shown. @param {State} now @param {Record<string, any>} answers @returns {Row[]} */
+export function errorsOf({ against }, answers) {
+  /** @type {Row[]} */
+  const rows = answers.errors?.errors ?? [];
+  return rows.filter((r) => against.includes(r.model));
+}
+
+/** @param {ViewContext} context @param {(model: string | null) => void} onLight */
+export function createTable({ catalog: { models }, state, actions, say, typeset }, onLight) {
+  const costs = new Map(models.map((m) => [m.id, /** @type {Cost} */ (m.cost)]));
+  const definitions = createDefinitions(models, typeset);
+  const element = h("div", { class: "errors-host" });
   /** @type {Shown | null} */
   let shown = null;
-  const element = h("div", { class: "errors-host" });
-
-  /** @param {Shown} now */
-  const ordered = (now) => sorted(now.rows, now.by, now.order, now);
   const copy = createCopy(
     "Copy the table of errors, in full precision",
     () => {
-      const now = /** @type {Shown} */ (shown);
+      const { rows, setting } = /** @type {Shown} */ (shown);
       return [
         COLUMNS.map((c) => c.name),
-        ...ordered(now).map((row) =>
+        ...rows.map((row) =>
           COLUMNS.map((c) =>
-            c.name === "model" ? traceName(row.model, row.quantity) : (c.value(row, now) ?? ""),
+            c.name === "model" ? traceName(row.model, row.quantity) : (c.value(row, setting) ?? ""),
           ),
         ),
       ];
     },
     say,
+  );
+  const section = h(
+    "section",
+    { class: "column metrics", "aria-label": "Errors" },
+    h("div", { class: "heading" }, h("h2", {}, "Errors"), copy),
+    element,
+    definitions.element,
   );
 
   /** @param {EventTarget | null} target @returns {string | null} the model of its row */
@@ -54,58 +68,70 @@ export function createTable({ models, onSort, onLight, onFocus, say }) {
   const light = (event) => onLight(rowOf(event.target));
   const dim = () => onLight(null);
 
+  /** @param {string} id */
+  const focus = (id) => actions.set({ focus: state().focus === id ? null : id });
+  /** @param {string} by @param {string} order */
+  const sort = (by, order) => actions.set({ sort: by, order });
+
   /** @param {Row} row @param {Shown} now */
-  function line(row, now) {
+  function line(row, { state: { focus: focused }, setting, here }) {
     const { model: id, quantity, in_domain, reason } = row;
     const channel = CHANNELS[quantity];
     const style = { ...modelStyle(models, id), ...(channel && { color: channel.color }) };
+    const title = `${row.title}${channel ? ` ${channel.label}` : ""}`;
     return html`<tr data-model=${id} ?data-outside=${!in_domain}>
       <th scope="row"><button
         type="button"
         class="pick"
-        aria-pressed=${id === now.focus}
-        @click=${() => onFocus(id)}
-      >${sampled(style)}<span class="pick-name">${row.title}${channel ? ` ${channel.label}` : ""}</span></button><span
-        class="outside"
-      >${in_domain ? nothing : `outside its domain: ${reason ?? ""}`}</span></th>
-      <td class="here">${now.here(traceName(id, quantity))}</td>
-      ${COLUMNS.slice(1).map((c) =>
-        c.name === "cost"
-          ? html`<td class="cost" title=${sayCost(now.costs.get(id))}>${c.print(row, now)}</td>`
-          : html`<td>${c.print(row, now)}</td>`,
+        aria-pressed=${id === focused}
+        @click=${() => focus(id)}
+      >${sampled(style)}<span class="pick-name">${title}</span></button><span class="outside">${
+        in_domain ? nothing : `outside its domain: ${reason ?? ""}`
+      }</span></th>
+      <td class="here">${short(here.get(traceName(id, quantity)))}</td>
+      ${COLUMNS.slice(1).map(({ name, print }) =>
+        name === "cost"
+          ? html`<td class="cost" title=${sayCost(costs.get(id))}>${print(row, setting)}</td>`
+          : html`<td>${print(row, setting)}</td>`,
       )}
     </tr>`;
   }
 
+  /** @param {Shown} now @param {boolean} stale */
+  function table(now, stale) {
+    const { sort: by, order, angle: unit, theta_i_deg } = now.state;
+    const [first, ...others] = COLUMNS.map((column) => heading(column, { by, order }, sort));
+    return html`<div class="errors-scroll" tabindex="0" role="region" aria-label="Table of errors">
+      <table class="errors" ?data-stale=${stale}>
+        <caption class="hidden">Errors of the models against exact Fresnel</caption>
+        <thead><tr>
+          ${first}
+          <th scope="col" title="signed error at the marked angle">at ${angle(theta_i_deg, unit, unit === "deg" ? 1 : 3)}</th>
+          ${others}
+        </tr></thead>
+        <tbody @pointerover=${light} @pointerleave=${dim} @focusin=${light} @focusout=${dim}>
+          ${now.rows.map((row) => line(row, now))}
+        </tbody>
+      </table>
+    </div>`;
+  }
+
   return {
-    element,
-    copy,
-    /** @param {Shown} now */
-    update(now) {
-      shown = now;
+    element: section,
+    /**
+     * @param {State} now
+     * @param {Record<string, any>} answers
+     * @param {ReadonlyMap<string, number | null>} here
+     * @param {boolean} stale
+     */
+    update(now, answers, here, stale) {
+      const setting = { unit: now.angle, costs, prices: pricesOf(answers.recommend) };
+      const rows = sorted(errorsOf(now, answers), now.sort, now.order, setting);
+      shown = { state: now, rows, setting, here };
+      definitions.update(now.against);
       const focused = focusedRow();
-      const [first, ...others] = COLUMNS.map((column) => heading(column, now, onSort));
-      render(
-        now.rows.length === 0
-          ? html`<p class="empty">Choose a model to see its errors here.</p>`
-          : html`<div class="errors-scroll" tabindex="0" role="region" aria-label="Table of errors">
-              <table class="errors" ?data-stale=${now.stale}>
-                <caption class="hidden">Errors of the models against exact Fresnel</caption>
-                <thead><tr>
-                  ${first}
-                  <th scope="col" title="signed error at the marked angle">at ${now.at}</th>
-                  ${others}
-                </tr></thead>
-                <tbody
-                  @pointerover=${light}
-                  @pointerleave=${dim}
-                  @focusin=${light}
-                  @focusout=${dim}
-                >${ordered(now).map((row) => line(row, now))}</tbody>
-              </table>
-            </div>`,
-        element,
-      );
+      const empty = html`<p class="empty">Choose a model to see its errors here.</p>`;
+      render(rows.length === 0 ? empty : table(shown, stale), element);
       // Rows change places; the focus goes with its own.
       if (focused && focusedRow() !== focused) {
         /** @type {HTMLElement | null} */

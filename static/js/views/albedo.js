@@ -3,7 +3,7 @@
 import { sideOf } from "../albedo/answers.js";
 import { createClaims } from "../albedo/claims-table.js";
 import { createControls } from "../albedo/controls.js";
-import { albedoFields, chosenFits, facing, isMetal, turned } from "../albedo/fields.js";
+import { albedoFields, chosenFits, facing, isMetal } from "../albedo/fields.js";
 import { createMap } from "../albedo/map.js";
 import { createPlots } from "../albedo/plots.js";
 import { createReading, direction } from "../albedo/reading.js";
@@ -28,20 +28,11 @@ await Promise.all(
 
 /** @param {ViewContext} context */
 export function createView(context) {
-  const { element, state, actions, say, typeset } = context;
+  const { element, state, say, typeset } = context;
   const controls = createControls(context);
   const coat = createCoat(context);
   const reading = createReading(say);
-  const claims = createClaims({
-    say,
-    onSort: (by, order) => actions.set({ claims_by: by, claims_order: order }),
-    onPick(id, surface) {
-      const chosen = state().surface === surface ? chosenFits(state()) : [];
-      const others = chosen.filter((other) => other !== id);
-      const fits = chosen.includes(id) ? others : [...others, id];
-      actions.set({ ...turned(state(), surface), fits: Object.freeze(fits) });
-    },
-  });
+  const claims = createClaims(context);
   const formulas = h("div", {});
 
   element.append(controls.element);
@@ -101,13 +92,7 @@ export function createView(context) {
     if (moving) return;
     definitions?.update([...chosenFits(now)]);
     map.update(now, given.map, fits, problem("map"));
-    if (fits.length)
-      claims.update(fits, {
-        by: now.claims_by,
-        order: now.claims_order,
-        chosen: chosenFits(now),
-        surface: now.surface,
-      });
+    if (fits.length) claims.update(fits, now);
   }
 
   return {

@@ -8,11 +8,9 @@ import { createFigure } from "../compare/figure.js";
 import { createPlots } from "../compare/plots.js";
 import { later, queries, restCalls } from "../compare/queries.js";
 import { createRecommend } from "../compare/recommend.js";
-import { createTable } from "../compare/table.js";
+import { createTable, errorsOf } from "../compare/table.js";
 import { short } from "../errors/metrics.js";
-import { createDefinitions } from "../models/definitions.js";
 import { angle } from "../numbers/format.js";
-import { h } from "../page/dom.js";
 import { loadStyle } from "../page/style.js";
 import { createProblems } from "../page/trouble.js";
 import { freshOf } from "../server/questions.js";
@@ -22,10 +20,7 @@ import { createTables } from "../takeaway/table.js";
 export { later, queries, restCalls };
 export const fields = compareFields;
 
-/**
- * @typedef {import('../errors/metrics.js').Row} Row
- * @typedef {import('../errors/metrics.js').Cost} Cost
- */
+/** @typedef {import('../errors/metrics.js').Row} Row */
 
 await Promise.all(
   ["compare", "compare-errors", "convert", "heatmap"].map((name) => loadStyle(`css/${name}.css`)),
@@ -33,18 +28,10 @@ await Promise.all(
 
 const SETTLE_AFTER = 250; // ms
 
-/** The errors of the models that are shown. @param {State} now @param {Record<string, any>} answers @returns {Row[]} */
-function errorsOf({ against }, answers) {
-  /** @type {Row[]} */
-  const rows = answers.errors?.errors ?? [];
-  return rows.filter((r) => against.includes(r.model));
-}
-
 /** @param {ViewContext} context */
 export function createView(context) {
-  const { element, catalog, state, actions, say, save, typeset } = context;
+  const { element, catalog, state, actions, say, save } = context;
   const { models } = catalog;
-  const costs = new Map(models.map((m) => [m.id, /** @type {Cost} */ (m.cost)]));
   const controls = createControls(context);
   const examples = createNamedExamples(context);
   element.append(controls.element, examples.element);
@@ -53,27 +40,10 @@ export function createView(context) {
   const recommend = createRecommend(context);
   const convert = createConvert(context);
   const snippets = createSnippets({ models, actions, say, save });
-  const definitions = createDefinitions(models, typeset);
-  const table = createTable({
-    models,
-    say,
-    onSort: (by, order) => actions.set({ sort: by, order }),
-    onLight: plots.light,
-    onFocus: (model) => actions.set({ focus: state().focus === model ? null : model }),
-  });
-  element.append(
-    h(
-      "section",
-      { class: "column metrics", "aria-label": "Errors" },
-      h("div", { class: "heading" }, h("h2", {}, "Errors"), table.copy),
-      table.element,
-      definitions.element,
-    ),
-    recommend.element,
-    convert.element,
-    snippets.element,
-  );
+  const table = createTable(context, plots.light);
+  element.append(table.element, recommend.element, convert.element, snippets.element);
   const tables = createTables({ parent: element, catalog, actions });
+  const pictures = [plots, figure, tables];
 
   const problems = createProblems(["recommend", "convert", "shader", "lut"]);
   /** @type {Record<string, any>} */
@@ -97,9 +67,7 @@ export function createView(context) {
     /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
     update(now, answers, moving) {
       given = answers;
-      const rows = errorsOf(now, answers);
       controls.update(now, reasonsOf(answers.curves), solvedOf(answers.errors));
-      definitions.update(now.against);
       const fresh = freshOf(answers, later(now, catalog));
       examples.update(now, fresh, moving);
       clearTimeout(settling);
@@ -107,19 +75,8 @@ export function createView(context) {
       plots.update(now, answers, moving || map);
       // Settling two plots takes longer than a map: the map comes first.
       if (map) settling = setTimeout(() => plots.update(now, answers, false), SETTLE_AFTER);
-      const here = plots.reading(now.theta_i_deg);
-      table.update({
-        rows,
-        by: now.sort,
-        order: now.order,
-        focus: now.focus,
-        unit: now.angle,
-        costs,
-        prices: pricesOf(answers.recommend),
-        here: (id) => short(here.get(id)),
-        at: angle(now.theta_i_deg, now.angle, now.angle === "deg" ? 1 : 3),
-        stale: moving || (now.against.length > 0 && !fresh.errors),
-      });
+      const stale = moving || (now.against.length > 0 && !fresh.errors);
+      table.update(now, answers, plots.reading(now.theta_i_deg), stale);
       if (!moving) rest(now);
     },
 
@@ -141,9 +98,7 @@ export function createView(context) {
     },
 
     theme() {
-      plots.theme();
-      figure.theme();
-      tables.theme();
+      for (const one of pictures) one.theme();
     },
     deactivate() {
       clearTimeout(settling);
@@ -152,9 +107,7 @@ export function createView(context) {
     destroy() {
       clearTimeout(settling);
       controls.stop();
-      plots.destroy();
-      figure.destroy();
-      tables.destroy();
+      for (const one of pictures) one.destroy();
     },
   };
 }
@@ -166,12 +119,6 @@ function reasonsOf(curves) {
       reason && model !== "exact" ? [[model, reason]] : [],
     ),
   );
-}
-
-/** The server's weighted costs of all models. @param {any} answer of /recommend @returns {Map<string, number>} */
-function pricesOf(answer) {
-  const all = answer ? [...answer.models, ...answer.refused] : [];
-  return new Map(all.map((c) => [c.model, c.weighted_cost]));
 }
 
 /** What the parameters left to the server came out as. @param {any} answer of /errors @returns {Map<string, number>} */
