@@ -21,9 +21,9 @@ const HOMES = /** @type {const} */ ({
  * @param {(ids: string[]) => void} options.onChange
  */
 export function createChooser({ chosen, onChange }) {
-  const groups = h("div", { class: "fit-groups" });
+  const groups = h("div.fit-groups");
   const clear = createClear("Fits", "Clear the fits", onChange);
-  const element = h("div", { class: "chooser" }, clear.element, groups);
+  const element = h("div.chooser", clear.element, groups);
   /** @type {{home: string, fold: ReturnType<typeof createFold>}[]} */
   let made = [];
   const others = createChanged();

@@ -39,8 +39,7 @@ export function createClaims({ state, actions, say }) {
   }
   /** @param {string} by @param {string} order */
   const sort = (by, order) => actions.set({ claims_by: by, claims_order: order });
-  const element = h("div", {
-    class: "claims-scroll",
+  const element = h("div.claims-scroll", {
     tabindex: "0",
     role: "region",
     "aria-label": "Table of claims",

@@ -93,9 +93,9 @@ export function createMap({ element: parent, actions, state, save }) {
     n: createEnds({ letter: "n", names: ["map_n_low", "map_n_high"], onChange }),
     k: createEnds({ letter: "k", names: ["map_k_low", "map_k_high"], onChange }),
   };
-  const host = h("div", { class: "frame" });
-  const waiting = h("p", { class: "figure-note" }, "…");
-  const largest = h("p", { class: "largest" });
+  const host = h("div.frame");
+  const waiting = h("p.figure-note", "…");
+  const largest = h("p.largest");
   const trouble = createTrouble("Back to the usual fit and range", () =>
     actions.set({ map_fit: null, ...USUAL }),
   );
@@ -114,7 +114,7 @@ export function createMap({ element: parent, actions, state, save }) {
     },
     save,
   });
-  const element = h("section", { class: "column over-nk", "aria-label": "Error over n and k" });
+  const element = h("section.column.over-nk", { "aria-label": "Error over n and k" });
   render(
     html`<div class="heading"><h2>Over n and k</h2>${exports}</div>
       <div class="map-controls">${choices.elements.map_show}${select.element}</div>

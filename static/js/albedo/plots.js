@@ -42,13 +42,9 @@ export function albedoRange(traces) {
 export function createPlots({ element: parent, actions, save }) {
   /** @type {State | null} */
   let now = null;
-  const note = h(
-    "p",
-    { class: "figure-note", hidden: true },
-    "Choose a fit to see its error here.",
-  );
+  const note = h("p.figure-note", { hidden: true }, "Choose a fit to see its error here.");
   const title = document.createTextNode("Albedo");
-  const legend = h("ul", { class: "plot-legend shared-key" });
+  const legend = h("ul.plot-legend.shared-key");
   const ends = createEnds({
     letter: "\\eta",
     names: ["sweep_low", "sweep_high"],
@@ -89,14 +85,7 @@ export function createPlots({ element: parent, actions, save }) {
     lower: {
       heading: "Error of the fits",
       inside: note,
-      below: [
-        h(
-          "div",
-          { class: "figure-foot" },
-          ends.element,
-          h("p", { class: "hint" }, "Click or drag to go there."),
-        ),
-      ],
+      below: [h("div.figure-foot", ends.element, h("p.hint", "Click or drag to go there."))],
       what: "the errors of the fits",
       table: "Table of the errors",
       name: "Error of the fits",

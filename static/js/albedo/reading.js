@@ -45,7 +45,7 @@ export function written(reason) {
 
 /** @param {(text: string) => void} say */
 export function createReading(say) {
-  const element = h("div", { class: "reading" });
+  const element = h("div.reading");
   const symbols = ["A", "A_s", "A_p"].map((name) => html`<th scope="col">${symbol(name)}</th>`);
 
   /** @param {string} name @param {string} way @param {string} what @param {Exact | undefined} exact */

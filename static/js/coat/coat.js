@@ -70,12 +70,8 @@ export function createCoat({ catalog, presets, state, actions, save, say }, pref
     coat_light: ["Light", { diffuse: "from everywhere", ray: "a ray" }],
   });
   const same = h(
-    "button",
-    {
-      type: "button",
-      class: "quiet same-media",
-      onclick: () => actions.set({ coat_n: indexOf(state()) }),
-    },
+    "button.quiet.same-media",
+    { type: "button", onclick: () => actions.set({ coat_n: indexOf(state()) }) },
     "take n from the media",
   );
   const drawing = createDrawing();
@@ -89,7 +85,7 @@ export function createCoat({ catalog, presets, state, actions, save, say }, pref
     const { coat_n, coat_body, coat_theta } = presets;
     actions.set({ coat_n, coat_body, coat_theta });
   });
-  const element = h("section", { class: "column coat", "aria-label": "Glossy paint" });
+  const element = h("section.column.coat", { "aria-label": "Glossy paint" });
   const changed = createChanged();
 
   /** @param {Coat | undefined} coat */

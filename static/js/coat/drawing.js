@@ -24,7 +24,7 @@ function csv({ interface: media, body_albedo, theta_i_deg, external, internal, .
 }
 
 export function createDrawing() {
-  const frame = h("div", { class: "coat-frame", role: "figure" });
+  const frame = h("div.coat-frame", { role: "figure" });
   /** @type {Coat | null} */
   let shown = null;
 

@@ -30,9 +30,8 @@ export function matches(model, text) {
  * @param {(ids: string[]) => void} options.onChange
  */
 export function createChooser({ models, chosen, onChange }) {
-  const search = h("input", {
+  const search = h("input.box.search", {
     type: "search",
-    class: "box search",
     placeholder: "search models, authors, engines",
     "aria-label": "Search the models",
     autocomplete: "off",
@@ -44,7 +43,7 @@ export function createChooser({ models, chosen, onChange }) {
       filter();
     },
   });
-  const none = h("p", { class: "reason" });
+  const none = h("p.reason");
   const groups = GROUPS.map(({ legend, open, holds }) => {
     const members = models.filter((m) => m.id !== "exact" && holds(m));
     const entries = members.map((m) => ({
@@ -75,8 +74,7 @@ export function createChooser({ models, chosen, onChange }) {
 
   const clear = createClear("Models", "clear the choice of models", onChange);
   const element = h(
-    "div",
-    { class: "chooser" },
+    "div.chooser",
     clear.element,
     search,
     none,

@@ -36,9 +36,8 @@ export function createControls({ catalog, presets, state, actions, describeMedia
     onChange: (values) => actions.set({ family: values }),
   });
   const familyBox = h(
-    "div",
-    { class: "family-row" },
-    h("label", { for: "compare-family" }, "also at ", h("var", { class: "symbol" }, "n"), " ="),
+    "div.family-row",
+    h("label", { for: "compare-family" }, "also at ", h("var.symbol", "n"), " ="),
     members.box,
     members.wrong,
   );

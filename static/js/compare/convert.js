@@ -62,7 +62,7 @@ export function createConvert({ catalog, state, actions }) {
     },
     onChange: (value) => actions.set({ seen_from: value }),
   });
-  const element = h("section", { class: "column convert", "aria-label": "Conversions" });
+  const element = h("section.column.convert", { "aria-label": "Conversions" });
 
   /** @param {Result} result @param {boolean} own whether the media are what is given */
   function line({ form, title, values, status, why }, own) {

@@ -24,7 +24,7 @@ const told = ({ id, claimed, found, verdict, source }) => html`<p>
 
 /** @param {ViewContext} context */
 export function createNamedExamples({ presets, actions }) {
-  const element = h("section", { class: "examples", "aria-label": "Named examples" });
+  const element = h("section.examples", { "aria-label": "Named examples" });
   const row = createExamples({
     examples: EXAMPLES,
     name: "example-list",

@@ -59,7 +59,7 @@ export function createFigure({ element: parent, catalog, actions, save }) {
   );
   const point = createSelect("Error shown", (name) => actions.set({ point: name }), POINTS);
   const focus = createSelect("Model of the map", (id) => actions.set({ focus: id }));
-  const wrong = h("p", { class: "row-error", role: "alert" });
+  const wrong = h("p.row-error", { role: "alert" });
   /** @param {"n" | "k"} letter */
   const endsOf = (letter) =>
     createEnds({
@@ -71,11 +71,11 @@ export function createFigure({ element: parent, catalog, actions, save }) {
     });
   const bounds = { n_t: endsOf("n"), k_t: endsOf("k") };
   const hosts = {
-    sweep: h("div", { class: "figure-host" }),
-    map: h("div", { class: "figure-host", hidden: true }),
+    sweep: h("div.figure-host"),
+    map: h("div.figure-host", { hidden: true }),
   };
-  const waiting = h("p", { class: "figure-note" });
-  const hint = h("p", { class: "hint" });
+  const waiting = h("p.figure-note");
+  const hint = h("p.hint");
   const tables = createDataTables("This figure as a table", {
     "Table of the error over the media": () => (now ? [shown().table()] : []),
   });
@@ -90,7 +90,7 @@ export function createFigure({ element: parent, catalog, actions, save }) {
     },
     save,
   });
-  const element = h("section", { class: "column figure", "aria-label": "Error over the media" });
+  const element = h("section.column.figure", { "aria-label": "Error over the media" });
   render(
     html`<div class="heading"><h2>Error over the media</h2>${exports}</div>
       <div class="figure-controls">

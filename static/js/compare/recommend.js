@@ -49,7 +49,7 @@ export function createRecommend({ catalog: { models }, state, actions }) {
   );
   // Beside the answer where there is room for it, folded below it elsewhere.
   const wide = matchMedia("(min-width: 1180px)").matches;
-  const element = h("section", { class: "column recommend", "aria-label": "Which will do?" });
+  const element = h("section.column.recommend", { "aria-label": "Which will do?" });
 
   /** @param {string} id */
   function toggle(id) {

@@ -33,7 +33,7 @@ export function errorsOf({ against }, answers) {
 export function createTable({ catalog: { models }, state, actions, say, typeset }, onLight) {
   const costs = new Map(models.map((m) => [m.id, /** @type {Cost} */ (m.cost)]));
   const definitions = createDefinitions(models, typeset);
-  const element = h("div", { class: "errors-host" });
+  const element = h("div.errors-host");
   /** @type {Shown | null} */
   let shown = null;
   const copy = createCopy(
@@ -52,9 +52,9 @@ export function createTable({ catalog: { models }, state, actions, say, typeset 
     say,
   );
   const section = h(
-    "section",
-    { class: "column metrics", "aria-label": "Errors" },
-    h("div", { class: "heading" }, h("h2", {}, "Errors"), copy),
+    "section.column.metrics",
+    { "aria-label": "Errors" },
+    h("div.heading", h("h2", "Errors"), copy),
     element,
     definitions.element,
   );

@@ -23,20 +23,15 @@ export function createFold({ legend, entries, open = false, chosen, onChange }) 
       value: id,
       label: title,
       note,
-      content: h("span", { class: "overlay-name" }, sample(style), title),
+      content: h("span.overlay-name", sample(style), title),
     })),
     onChange(picked) {
       const kept = chosen().filter((id) => picked.includes(id) || !ids.includes(id));
       onChange([...kept, ...picked.filter((id) => !kept.includes(id))]);
     },
   });
-  const count = h("span", { class: "count" });
-  const element = h(
-    "details",
-    { class: "forms", open },
-    h("summary", {}, legend, count),
-    group.element,
-  );
+  const count = h("span.count");
+  const element = h("details.forms", { open }, h("summary", legend, count), group.element);
   return {
     element,
     ids,
@@ -59,12 +54,12 @@ export function createFold({ legend, entries, open = false, chosen, onChange }) 
  */
 export function createClear(title, label, onChange) {
   const clear = h(
-    "button",
-    { type: "button", class: "quiet", "aria-label": label, onclick: () => onChange([]) },
+    "button.quiet",
+    { type: "button", "aria-label": label, onclick: () => onChange([]) },
     "clear",
   );
   return {
-    element: h("div", { class: "heading" }, h("h2", {}, title), clear),
+    element: h("div.heading", h("h2", title), clear),
     /** @param {readonly string[]} ids that are chosen */
     update(ids) {
       clear.hidden = ids.length === 0;

@@ -20,13 +20,13 @@ const made = (options) =>
  */
 export function createSelect(label, onChange, options = {}) {
   const select = h(
-    "select",
-    { class: "preset", "aria-label": label, onchange: () => onChange(select.value) },
+    "select.preset",
+    { "aria-label": label, onchange: () => onChange(select.value) },
     ...made(options),
   );
   const changed = createChanged();
   return {
-    element: h("span", { class: "picker" }, select),
+    element: h("span.picker", select),
     /** @param {string} value @param {Readonly<Options>} [offered] */
     update(value, offered) {
       if (offered && changed(JSON.stringify(offered))) select.replaceChildren(...made(offered));

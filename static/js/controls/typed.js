@@ -23,7 +23,7 @@ export function createTyped({ attributes, parse, onChange, id, name, wrong }) {
     "aria-describedby": id,
     ...attributes,
   });
-  const said = wrong ?? h("p", { class: "row-error", role: "alert", id });
+  const said = wrong ?? h("p.row-error", { role: "alert", id });
   box.addEventListener("change", () => {
     const text = box.value.trim();
     try {
@@ -64,7 +64,7 @@ export function createEnds({ letter, names, onChange, bounds, wrong }) {
       throw new Error(`allowed is ${plain(bounds.minimum)} to ${plain(bounds.maximum)}`);
     return value;
   }
-  const said = wrong ?? h("p", { class: "row-error", role: "alert" });
+  const said = wrong ?? h("p.row-error", { role: "alert" });
   const ends = names.map((key, end) =>
     createTyped({
       attributes: { class: "box end-box" },
@@ -74,9 +74,9 @@ export function createEnds({ letter, names, onChange, bounds, wrong }) {
       name: wrong && `${letter} ${end === 0 ? "from" : "to"}`,
     }),
   );
-  const name = h("span", {});
+  const name = h("span");
   const [from, to] = ends;
-  const element = h("div", { class: "ends" }, name, from?.box, "to", to?.box, !wrong && said);
+  const element = h("div.ends", name, from?.box, "to", to?.box, !wrong && said);
   const changed = createChanged();
   return {
     element,

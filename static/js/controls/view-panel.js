@@ -8,12 +8,11 @@ import { createSheet } from "./panel.js";
 export function createPanel({ choices, ...options }) {
   const { rows, media } = createInterface(options);
   const body = h(
-    "div",
-    { class: "panel-body" },
-    h("div", { class: "heading" }, h("h2", {}, "Media")),
+    "div.panel-body",
+    h("div.heading", h("h2", "Media")),
     media.element,
-    h("div", { class: "rows" }, ...rows.map((r) => r.row.element)),
-    h("div", { class: "choices" }, ...choices),
+    h("div.rows", ...rows.map((r) => r.row.element)),
+    h("div.choices", ...choices),
   );
   const sheet = createSheet({ pages: rows, body, first: "n_t" });
   return {

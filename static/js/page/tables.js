@@ -40,7 +40,7 @@ export function createCopy(label, cells, say) {
       .join("\n")}\n`;
   const said = () => `${cells().length - 1} rows copied`;
   const onclick = (/** @type {Event} */ event) => copying(text, say, said())(event);
-  return h("button", { type: "button", class: "quiet", "aria-label": label, onclick }, "copy");
+  return h("button.quiet", { type: "button", "aria-label": label, onclick }, "copy");
 }
 
 /** A number with six digits on a button, which copies all of them. @param {string} name @param {number | null} value @param {(text: string) => void} say */

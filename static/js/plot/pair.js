@@ -73,8 +73,8 @@ export function createPair({
     });
     const line =
       place === "upper"
-        ? h("div", { class: "heading" }, h("h2", {}, heading), exports)
-        : h("div", { class: "heading error-heading" }, h("h2", {}, heading), kind.element, exports);
+        ? h("div.heading", h("h2", heading), exports)
+        : h("div.heading.error-heading", h("h2", heading), kind.element, exports);
     return { host, nodes: [line, ...above, host, ...below] };
   }
   const parts = { upper: made(upper, "upper"), lower: made(lower, "lower") };

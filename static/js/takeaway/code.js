@@ -49,7 +49,7 @@ export function createSnippets({ models, actions, say, save }) {
     const file = LANGUAGES.find((l) => l.id === used)?.file ?? "txt";
     save(`${id}.${file}`, new Blob([code], { type: "text/plain" }));
   }
-  const element = h("section", { class: "column snippets", "aria-label": "Shader code" });
+  const element = h("section.column.snippets", { "aria-label": "Shader code" });
 
   return {
     element,

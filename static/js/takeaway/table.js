@@ -49,9 +49,9 @@ export function createTables({ parent, catalog, actions }) {
   const choices = createChoices(actions, {
     bits: ["Depth", Object.fromEntries(DEPTHS.map(({ bits, label }) => [bits, label]))],
   });
-  const host = h("div", { class: "table-plot" });
-  const element = h("section", { class: "column tables", "aria-label": "Lookup table" });
-  const verdict = h("p", { class: "table-verdict", role: "status" });
+  const host = h("div.table-plot");
+  const element = h("section.column.tables", { "aria-label": "Lookup table" });
+  const verdict = h("p.table-verdict", { role: "status" });
 
   /** @param {string} wrong @param {{label: string, path: string}[]} files */
   function show(wrong, files) {

@@ -33,23 +33,23 @@ export function createView(context) {
   const coat = createCoat(context);
   const reading = createReading(say);
   const claims = createClaims(context);
-  const formulas = h("div", {});
+  const formulas = h("div");
 
   element.append(controls.element);
   const plots = createPlots(context);
   const map = createMap(context);
   element.append(
     h(
-      "section",
-      { class: "column here", "aria-label": "This interface" },
-      h("div", { class: "heading" }, h("h2", {}, "This interface")),
+      "section.column.here",
+      { "aria-label": "This interface" },
+      h("div.heading", h("h2", "This interface")),
       reading.element,
     ),
     coat.element,
     h(
-      "section",
-      { class: "column claimed", "aria-label": "Claimed and measured" },
-      h("div", { class: "heading" }, h("h2", {}, "Claimed and measured"), claims.copy),
+      "section.column.claimed",
+      { "aria-label": "Claimed and measured" },
+      h("div.heading", h("h2", "Claimed and measured"), claims.copy),
       claims.element,
       formulas,
     ),
