@@ -168,3 +168,21 @@ interface ViewModule {
   later?: (state: State, catalog: Catalog) => Record<string, string>;
   restCalls: (state: State, catalog: Catalog) => string[];
 }
+
+type Child = Node | string | null | undefined | false;
+
+/** The element of a tag with classes, such as `p.hint`. */
+type ElementOf<Tag extends string> = Tag extends `${infer Name}.${string}`
+  ? ElementOf<Name>
+  : Tag extends keyof HTMLElementTagNameMap
+    ? HTMLElementTagNameMap[Tag]
+    : never;
+
+interface MakeElement {
+  <Tag extends string>(tag: Tag, ...children: Child[]): ElementOf<Tag>;
+  <Tag extends string>(
+    tag: Tag,
+    attributes: Record<string, unknown>,
+    ...children: Child[]
+  ): ElementOf<Tag>;
+}

@@ -40,3 +40,32 @@ def test_a_view_opens_after_any_other(quiet_page: Page, first: str, then: str) -
     page.locator(f'a[href="?view={then}"]').first.click()
     expect(page.locator(f".view-{then}")).to_be_visible()
     expect(page).to_have_url(re.compile(f"view={then}$"))
+
+
+@pytest.mark.parametrize("part", ["views/compare.js", "compare/plots.js"])
+def test_a_view_whose_script_fails_to_load_says_so_and_can_be_tried_again(
+    page: Page, part: str
+) -> None:
+    page.route(f"**/js/{part}", lambda route: route.abort(), times=1)
+    page.goto("/")
+    expect(page.locator(".view-explore")).to_be_visible()
+    page.get_by_role("link", name="Compare", exact=True).click()
+    failure = page.get_by_role("alert").filter(has_text="Compare could not be loaded")
+    expect(failure).to_be_visible()
+    expect(page.locator(".view-explore")).to_be_hidden()
+    failure.get_by_role("button", name="Try again").click()
+    expect(page.locator(".view-compare")).to_be_visible()
+    expect(failure).to_have_count(0)
+    expect(page).to_have_url(re.compile(r"view=compare$"))
+
+
+def test_the_tab_of_a_view_that_failed_to_load_opens_it_as_its_link_says(page: Page) -> None:
+    page.route("**/js/views/theory.js", lambda route: route.abort(), times=1)
+    page.goto("/?view=theory&step=brewster&n_t=1.7")
+    expect(page.get_by_role("alert")).to_contain_text("Theory could not be loaded")
+    page.get_by_role("link", name="Explore", exact=True).click()
+    expect(page.locator(".view-explore")).to_be_visible()
+    expect(page.get_by_role("alert")).to_have_count(0)
+    page.go_back()
+    expect(page.locator(".view-theory")).to_be_visible()
+    expect(page).to_have_url(re.compile(r"view=theory"))

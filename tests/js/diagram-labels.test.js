@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { arrowSize, at, direction, signPlaces, stageOf } from "../../static/js/diagram/geometry.js";
+import { arrowSize, at, direction, signPlaces, stageOf } from "../../static/js/diagram/scene.js";
 import { obstacles, plan, shortened } from "../../static/js/diagram/words.js";
-import { boxOf, crosses, overlap, within } from "../../static/js/draw/boxes.js";
+import { boxOf, crosses, overlap, within } from "../../static/js/draw/svg.js";
 
 /** Widths of a typical sans: what matters is that labels are about as wide as on the page. */
 const perGlyph = (/** @type {number} */ px) => (/** @type {string} */ label) =>

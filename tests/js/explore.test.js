@@ -1,7 +1,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { allLandmarksOf, landmarksOf, readingAt } from "../../static/js/curves/reading.js";
-import { axesOf, marksOf, tracesOf } from "../../static/js/curves/traces.js";
+import {
+  allLandmarksOf,
+  axesOf,
+  landmarksOf,
+  marksOf,
+  readingAt,
+  tracesOf,
+} from "../../static/js/curves/reading.js";
 
 /** @type {Interface} */
 const MEDIA = {
@@ -40,7 +46,7 @@ function curves(media = {}) {
   };
 }
 
-/** @type {import("../../static/js/curves/traces.js").Shown} */
+/** @type {Shown} */
 const SHOWN = { polarization: "unpolarized", angle: "deg", show: [], models: [], marks: true };
 const MODELS = /** @type {any} */ ([
   { id: "exact", title: "Exact" },

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { ExpressionError, evaluate, evaluateAngle } from "../../static/js/numbers/entry.js";
+import { ExpressionError, evaluate, evaluateAngle } from "../../static/js/numbers/expression.js";
 
 test("what people type into a number box", () => {
   for (const [text, value] of /** @type {[string, number][]} */ ([

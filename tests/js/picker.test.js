@@ -8,7 +8,7 @@ import {
   knownRange,
   mediaAt,
   spreadPaths,
-} from "../../static/js/media/constants.js";
+} from "../../static/js/media/media.js";
 import { allowedWords, distance } from "../../static/js/state/state.js";
 
 /** @param {string} id @param {object} [more] @returns {any} */

@@ -1,11 +1,17 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { overlap, within } from "../../static/js/draw/boxes.js";
-import { plainText, plotlyText, runs } from "../../static/js/draw/svg.js";
-import { arrange, axisTicks, roundRange } from "../../static/js/plot/axes.js";
-import { createPixels, curvePath, shortTitle, unitSuffix } from "../../static/js/plot/figure.js";
-import { placeLabels, placeMarkNames } from "../../static/js/plot/labels.js";
+import { overlap, plainText, plotlyText, runs, within } from "../../static/js/draw/svg.js";
+import {
+  arrange,
+  axisTicks,
+  createPixels,
+  curvePath,
+  roundRange,
+  shortTitle,
+  unitSuffix,
+} from "../../static/js/plot/figure.js";
 import { dashArray } from "../../static/js/plot/legend.js";
+import { placeLabels, placeMarkNames } from "../../static/js/plot/overlay.js";
 import { pickedRows, toCsv } from "../../static/js/plot/table.js";
 
 /** An axis of 100 px with values 0 … 1 from the bottom up. */

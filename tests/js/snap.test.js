@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { snap, stepped } from "../../static/js/numbers/entry.js";
+import { snap, stepped } from "../../static/js/numbers/format.js";
 
 test("a value near a landmark snaps to the nearest one", () => {
   assert.equal(snap(56, [56.31, 41.8], 1), 56.31);

@@ -106,20 +106,9 @@ test("a share is read between the samples of a curve", () => {
 });
 
 test("the first path goes from water to coats in the order of Shirley's post", () => {
-  assert.deepEqual(
-    STEPS.map((s) => s.id),
-    [
-      "water",
-      "split",
-      "polarization",
-      "brewster",
-      "below",
-      "schlick",
-      "index",
-      "metals",
-      "rgb",
-      "coat",
-    ],
+  assert.equal(
+    STEPS.map((s) => s.id).join(" "),
+    "water split polarization brewster below schlick index metals rgb coat",
   );
 });
 

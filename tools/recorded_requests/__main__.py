@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 
 from tools.recorded_requests import commands
@@ -22,6 +24,7 @@ def main() -> int:
     tasks = parser.add_subparsers(dest="task", required=True)
     for task in ("record", "compare", "record-cli", "compare-cli"):
         options = tasks.add_parser(task)
+        options.add_argument("--at-a-time", type=int, default=4, help="requests at a time")
         if task.endswith("cli"):
             options.add_argument("--program", type=Path, default=PROGRAM, help="what to run")
         else:
@@ -36,27 +39,31 @@ def main() -> int:
                 "--expected", type=Path, help="file of differences that are wanted"
             )
             options.add_argument("--only", default="", help='a part of "METHOD target" to ask only')
+            options.add_argument("--every", type=int, default=1, help="ask each so manieth only")
             options.add_argument("--show", type=int, default=3, help="answers shown of each group")
     given = parser.parse_args()
     cli = given.task.endswith("cli")
     path = given.to / ("commands.jsonl.gz" if cli else "answers.jsonl.gz")
-    ask: Callable[[Question], Answer]
-    if cli:
-        ask = lambda question: commands.run(given.program.resolve(), question)  # noqa: E731
-    else:
-        server = Server(given.url)
-        ask = server.ask
-    if given.task.startswith("record"):
-        asked = list(commands.command_lines()) if cli else questions(server)
-        print(f"{store(path, ((q, ask(q)) for q in asked))} answers in {path}")
-        return 0
-    compared = (
-        (question, old, ask(question))
-        for question, old in stored(path)
-        if given.only in f"{question.method} {question.target}"
-    )
-    closeness = Closeness(given.floats, given.zero)
-    return min(1, report(compared, closeness, Expected(given.expected), given.show))
+    server = Server("" if cli else given.url)
+    if not cli and not server.ask(Question("GET", "/api/v1/health")).status:
+        parser.error(f"nobody answers at {given.url}")
+    program = partial(commands.run, given.program.resolve()) if cli else None
+    ask: Callable[[Question], Answer] = program or server.ask
+    with ThreadPoolExecutor(given.at_a_time) as threads:
+        if given.task.startswith("record"):
+            listed = list(commands.command_lines()) if cli else questions(server)
+            count = store(path, zip(listed, threads.map(ask, listed), strict=True))
+            print(f"{count} answers in {path}")
+            return 0
+        before = [
+            (question, old)
+            for question, old in stored(path)
+            if given.only in f"{question.method} {question.target}"
+        ][:: given.every]
+        answers = threads.map(ask, (question for question, _ in before))
+        compared = ((*pair, new) for pair, new in zip(before, answers, strict=True))
+        closeness = Closeness(given.floats, given.zero)
+        return min(1, report(compared, closeness, Expected(given.expected), given.show))
 
 
 sys.exit(main())

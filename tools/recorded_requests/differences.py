@@ -49,9 +49,11 @@ class Closeness:
 def differences(
     question: Question, old: Answer, new: Answer, closeness: Closeness
 ) -> Iterator[Difference]:
-    """List what differs, in the order of status, headers, body."""
+    """List what differs in headers and body, or of answers that have not one status that alone."""
     if old.status != new.status:
-        yield Difference("status", "", _against(old.status, new.status))
+        text = f"{old.status} -> {new.status}: {_against(old.body, new.body)}"
+        yield Difference("status", "", text)
+        return
     for name in sorted(old.headers.keys() | new.headers.keys()):
         a, b = old.headers.get(name), new.headers.get(name)
         if a != b and not _close_texts(a, b, closeness, str(question)):
@@ -171,7 +173,7 @@ def report(
     shown: int,
 ) -> int:
     """Print what differs, grouped by route and kind, and return how many answers do."""
-    groups: dict[tuple[str, str], list[tuple[Question, list[Difference]]]] = defaultdict(list)
+    groups: dict[str, list[tuple[Question, list[Difference]]]] = defaultdict(list)
     differ: set[str] = set()
     count = 0
     for question, old, new in compared:
@@ -179,15 +181,14 @@ def report(
         by_kind: dict[str, list[Difference]] = defaultdict(list)
         for difference in differences(question, old, new, closeness):
             if not expected.holds(question, difference):
-                by_kind[f"{difference.kind} {difference.where}".split("[")[0]].append(difference)
-        for kind, found in by_kind.items():
-            groups[_route(question), kind].append((question, found))
+                by_kind[_group(question, difference)].append(difference)
+        for group, found in by_kind.items():
+            groups[group].append((question, found))
             differ.add(str(question))
-    for (route, kind), cases in sorted(groups.items()):
-        print(f"\n{route}: {kind.strip()}, {len(cases)} answers")
+    for group, cases in sorted(groups.items()):
+        print(f"\n{group}: {len(cases)} answers")
         for question, found in cases[:shown]:
-            first = found[0]
-            print(f"  {question}\n    {first.where} {first.text}", end="")
+            print(f"  {question}\n    {found[0].where} {found[0].text}", end="")
             print(f" (and {len(found) - 1} more)" if len(found) > 1 else "")
     print()
     for line, times in expected.used.items():
@@ -200,12 +201,12 @@ def report(
     return len(differ)
 
 
-def _route(question: Question) -> str:
-    """What to group by: a path without the last part of three, or a command's name."""
-    if question.method == "$":
-        return "$ " + question.target.split()[0]
-    path = question.target.partition("?")[0]
-    parts = path.removeprefix("/api/v1/").split("/")
-    return (
-        f"{question.method} {'/'.join(parts[:1] if len(parts) < 3 else [parts[0], '*', parts[2]])}"
-    )
+def _group(question: Question, difference: Difference) -> str:
+    """Headers by what became of them, all else by the route, or the command, and the first key."""
+    if difference.kind == "header":
+        return f"header {difference.where}: {difference.text}"
+    first = re.match(r"\.?[^.\[]*", difference.where)
+    path = question.target.partition("?")[0].removeprefix("/api/v1/")
+    noun, *rest = path.split(maxsplit=1)[0].split("/") if path.split() else [path]
+    route = "/".join([noun, *(["*"] if rest[1:] else []), *rest[-1:]]) if rest else noun
+    return f"{question.method} {route}: {difference.kind} {first.group() if first else ''}".strip()

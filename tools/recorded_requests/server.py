@@ -1,10 +1,11 @@
-"""Asks a running server, one request after the other over one connection."""
+"""Asks a running server, and keeps of its answers what matters."""
 
 from __future__ import annotations
 
 import gzip
+import threading
 from collections.abc import Callable
-from http.client import HTTPConnection, HTTPException
+from http.client import HTTPConnection, HTTPException, HTTPResponse
 from urllib.parse import urlsplit
 
 import brotli
@@ -34,42 +35,53 @@ DECODED: dict[str, Callable[[bytes], bytes]] = {
 
 
 class Server:
-    """A server at `url`.
+    """A server at `url`, asked by each thread over a connection of its own.
 
-    A header with the value `{etag}` sends the ETag of the answer before, to be told that nothing
-    has changed.
+    In a header `{etag}` stands for the ETag of the same address, so that nothing has changed.
     """
 
     def __init__(self, url: str) -> None:
-        self._connection = HTTPConnection(urlsplit(url).netloc, timeout=120)
-        self._etag = ""
+        self._netloc = urlsplit(url).netloc
+        self._thread = threading.local()
 
     def ask(self, question: Question) -> Answer:
-        """Send a request and read its answer; status 0 if there is none, a second time as well."""
-        try:
-            return self._asked(question)
-        except (HTTPException, OSError):
-            self._connection.close()
-        try:
-            return self._asked(question)
-        except (HTTPException, OSError) as error:
-            self._connection.close()
-            return Answer(0, {}, type(error).__name__)
+        """Send a request and read its answer; status 0 if there is none.
+
+        It is sent again where none came, and where a busy machine had no time for it (503).
+        """
+        for _ in range(4):
+            try:
+                answer = self._asked(question)
+            except (HTTPException, OSError) as error:
+                answer = Answer(0, {}, type(error).__name__)
+                del self._thread.connection
+            if answer.status not in (0, 503):
+                break
+        return answer
+
+    def _sent(self, method: str, target: str, body: bytes, headers: dict[str, str]) -> HTTPResponse:
+        if not hasattr(self._thread, "connection"):
+            self._thread.connection = HTTPConnection(self._netloc, timeout=300)
+        connection: HTTPConnection = self._thread.connection
+        connection.request(method, target, body or None, headers)
+        return connection.getresponse()
 
     def _asked(self, question: Question) -> Answer:
-        sent = {
-            name: value.replace("{etag}", self._etag) for name, value in question.headers.items()
-        }
+        sent = dict(question.headers)
+        if "{etag}" in (asked := sent.get("If-None-Match", "")):
+            first = self._sent("GET", question.target, b"", {})
+            first.read()
+            sent["If-None-Match"] = asked.replace("{etag}", first.getheader("etag", ""))
         method, target = question.method, question.target
-        self._connection.request(method, target, question.content or None, sent)
-        response = self._connection.getresponse()
+        response = self._sent(method, target, question.content, sent)
         content = response.read()
-        self._etag = response.getheader("etag", "")
         kept = {
             name: value for name in KEPT if (value := response.getheader(name, None)) is not None
         }
-        if self._etag:
-            kept["etag"] = "weak" if self._etag.startswith("W/") else "strong"
+        if "location" in kept:  # the port is another each time
+            kept["location"] = urlsplit(kept["location"]).path
+        if etag := response.getheader("etag", ""):
+            kept["etag"] = "weak" if etag.startswith("W/") else "strong"
         if method == "HEAD" and not target.startswith(BODY_VARIES):
             kept["content-length"] = response.getheader("content-length", "")
         if asked_id := sent.get("X-Request-ID"):  # a valid one comes back, else one is drawn

@@ -5,7 +5,7 @@ import { createPanel } from "../controls/view-panel.js";
 import { createChooser } from "./chooser.js";
 import { chosenFits, SURFACES, turned } from "./fields.js";
 
-/** @type {Record<string, import('../controls/media.js').Manner>} */
+/** @type {Record<string, RowManner>} */
 const MANNERS = {
   n_i: { label: "incident index", range: [1, 2], wide: [0.1, 10] },
   n_t: { label: "second index", range: [0.1, 4], wide: [0.01, 20] },

@@ -3,7 +3,7 @@
 import { createEnds } from "../controls/typed.js";
 import { ends as endsOf } from "../curves/reading.js";
 import { errorRange } from "../errors/traces.js";
-import { clamp } from "../numbers/entry.js";
+import { clamp } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { createTrouble } from "../page/trouble.js";
 import { drawLegend } from "../plot/legend.js";

@@ -1,8 +1,7 @@
 /** Glossy paint: a diffuse body under a clear coat, and where the light goes that falls on it. */
 
-import { createChoices } from "../controls/panel.js";
-import { createRow } from "../controls/row.js";
-import { evaluateAngle } from "../numbers/entry.js";
+import { createChoices, createRow } from "../controls/panel.js";
+import { evaluateAngle } from "../numbers/expression.js";
 import { angle, inDegrees, percent, plain } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
 import { h } from "../page/dom.js";
@@ -27,7 +26,7 @@ const indexOf = ({ n_i, n_t }) => Number((n_t / n_i).toPrecision(12));
 
 /** @param {ViewContext} context @param {string} [prefix] of ids */
 export function createCoat({ catalog, presets, state, actions, save, say }, prefix = "albedo-") {
-  /** @param {string} name @param {Omit<import('../controls/row.js').RowOptions["parameter"], "name">} parameter @param {Pick<import('../controls/row.js').RowOptions, "label" | "range" | "steps" | "writing">} manner */
+  /** @param {string} name @param {Omit<RowOptions["parameter"], "name">} parameter @param {Pick<RowOptions, "label" | "range" | "steps" | "writing">} manner */
   const row = (name, parameter, manner) =>
     createRow({
       parameter: { ...parameter, name },

@@ -8,7 +8,7 @@ import { h } from "../page/dom.js";
 import { createChooser } from "./chooser.js";
 import { compareFields } from "./fields.js";
 
-/** The ranges of d'Eon's conductor comparison; "more" goes beyond them. @type {Record<string, import('../controls/media.js').Manner>} */
+/** The ranges of d'Eon's conductor comparison; "more" goes beyond them. @type {Record<string, RowManner>} */
 const MANNERS = {
   n_i: { label: "incident index", range: [1, 2], wide: [0.1, 10] },
   n_t: { label: "second index", range: [0.1, 5], wide: [0.1, 10] },

@@ -3,8 +3,7 @@
 import { createChoice } from "../controls/panel.js";
 import { createSelect } from "../controls/select.js";
 import { createEnds } from "../controls/typed.js";
-import { ends, locate, read } from "../curves/reading.js";
-import { angleAxis } from "../curves/traces.js";
+import { angleAxis, ends, locate, read } from "../curves/reading.js";
 import { METRICS, short } from "../errors/metrics.js";
 import { modelStyle, shortTitle } from "../models/look.js";
 import { inDegrees, inUnit, percent } from "../numbers/format.js";

@@ -1,10 +1,8 @@
 /** The overlaid curves and, below them on the same axis of angles, their errors. */
 
-import { landmarksOf, locate, read } from "../curves/reading.js";
-import { angleAxis } from "../curves/traces.js";
+import { angleAxis, landmarksOf, locate, read } from "../curves/reading.js";
 import { curveTraces, distinct, errorRange, errorTraces } from "../errors/traces.js";
-import { clamp } from "../numbers/entry.js";
-import { inDegrees, inUnit } from "../numbers/format.js";
+import { clamp, inDegrees, inUnit } from "../numbers/format.js";
 import { traceUid } from "../plot/figure.js";
 import { createPair } from "../plot/pair.js";
 

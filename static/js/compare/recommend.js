@@ -5,7 +5,7 @@ import { createTyped } from "../controls/typed.js";
 import { METRICS, printCost, sayCost, short } from "../errors/metrics.js";
 import { modelStyle } from "../models/look.js";
 import { sampled } from "../models/sampled.js";
-import { evaluate } from "../numbers/entry.js";
+import { evaluate } from "../numbers/expression.js";
 import { percent, plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { html, nothing, render } from "../page/lit.js";

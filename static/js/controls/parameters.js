@@ -1,16 +1,14 @@
 /** Controls of the models' own parameters, made from their declarations. */
 
 import { modelStyle, sample, shortTitle } from "../models/look.js";
-import { ExpressionError, evaluate } from "../numbers/entry.js";
+import { ExpressionError, evaluate } from "../numbers/expression.js";
 import { plain } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
+import { loadStyle } from "../page/style.js";
 import { defaultOf, stateName } from "../server/questions.js";
-import { createChoice } from "./panel.js";
-import { createRow } from "./row.js";
+import { createChoice, createRow } from "./panel.js";
 
-/**
- * @typedef {{element: HTMLElement, update: (value: any, solved?: number) => void, stop: () => void}} Control
- */
+await loadStyle("css/parameters.css");
 
 const CHANNELS = /** @type {const} */ (["R", "G", "B"]);
 
@@ -91,10 +89,9 @@ function tripleControl(parameter, name, prefix, onChange, onSettle) {
   const label = brief(parameter.description);
   /** @type {any} */
   let value = parameter.default;
-  const error = h("p", { class: "row-error", role: "alert" });
+  const error = h("p.row-error", { role: "alert" });
   const boxes = CHANNELS.map((channel) =>
-    h("input", {
-      class: "box",
+    h("input.box", {
       type: "text",
       autocomplete: "off",
       "aria-label": `${label}, ${channel}`,
@@ -102,19 +99,19 @@ function tripleControl(parameter, name, prefix, onChange, onSettle) {
     }),
   );
   const split = h(
-    "button",
-    { type: "button", class: "mini rgb", "aria-pressed": "false", onclick: toggle },
+    "button.mini.rgb",
+    { type: "button", "aria-pressed": "false", onclick: toggle },
     "R, G, B",
   );
   split.setAttribute("aria-label", `${label}: a value for each of R, G and B`);
   const three = h(
-    "div",
-    { class: "triple", role: "group", "aria-label": label },
-    h("span", { class: "row-name" }, symbol(parameter.symbol), h("span", {}, label)),
-    h("div", { class: "triple-boxes" }, ...boxes),
+    "div.triple",
+    { role: "group", "aria-label": label },
+    h("span.row-name", symbol(parameter.symbol), h("span", label)),
+    h("div.triple-boxes", ...boxes),
     error,
   );
-  const element = h("div", { class: "triple-control" }, single.element, three, split);
+  const element = h("div.triple-control", single.element, three, split);
 
   function commit() {
     try {
@@ -170,15 +167,9 @@ function choiceControl(parameter, onChange) {
   return { element: group.element, stop: () => {}, update: (value) => group.update([value]) };
 }
 
-/**
- * @param {object} options
- * @param {Model[]} options.models
- * @param {() => State} options.state
- * @param {Actions} options.actions
- * @param {string} [options.prefix] of ids
- */
+/** @param {ParametersOptions} options */
 export function createParameters({ models, state, actions, prefix = "" }) {
-  const element = h("div", { class: "own-rows" });
+  const element = h("div.own-rows");
   /** @type {Map<string, {box: HTMLElement, controls: Map<string, Control>}>} */
   const made = new Map();
 
@@ -201,11 +192,9 @@ export function createParameters({ models, state, actions, prefix = "" }) {
       }),
     );
     const box = h(
-      "details",
-      { class: "own" },
+      "details.own",
       h(
-        "summary",
-        { class: "own-name" },
+        "summary.own-name",
         sample(modelStyle(models, model.id)),
         `${shortTitle(model.title)}: parameters`,
       ),

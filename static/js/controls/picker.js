@@ -1,5 +1,6 @@
-/** One of the catalog's media: a field that is typed into, and the list of what fits. */
+/** The list of media below a field that is typed into. */
 
+import { stretch } from "../media/wavelength.js";
 import { h } from "../page/dom.js";
 import { distance } from "../state/state.js";
 
@@ -42,55 +43,31 @@ export function matching(materials, text) {
   return near.sort((a, b) => a.far - b.far).map(({ m }) => m);
 }
 
-/**
- * @param {object} options
- * @param {string} options.label
- * @param {readonly Material[]} options.materials
- * @param {(material: Material) => string} options.groupOf
- * @param {(material: Material) => string} options.note beside the name
- * @param {(material: Material) => string} options.origin where the note comes from
- * @param {(material: Material) => string | null} options.refusal why a medium cannot stand on this side
- * @param {() => Promise<void>} options.describe completes what media are found by
- * @param {(id: string) => void} options.onPick
- */
-export function createPicker({
-  label,
-  materials,
-  groupOf,
-  note,
-  origin,
-  refusal,
-  onPick,
-  describe,
-}) {
+/** @param {string} word */
+function capital(word) {
+  return word.charAt(0).toUpperCase() + word.slice(1);
+}
+
+/** What tells media of one name apart. @param {Material} material */
+function origin({ id, kind, n_range_nm }) {
+  if (kind === "spectrum" && n_range_nm) return stretch(n_range_nm);
+  return `${capital(/-([a-z]+)$/.exec(id)?.[1] ?? "")}'s table`;
+}
+
+/** @param {Material} material @returns {string} */
+function groupOf({ id, category }) {
+  return id.endsWith("-shirley") ? "Shirley's table, 589 nm" : capital(category);
+}
+
+/** @param {ListOptions} options */
+export function createList({ input, materials, note, refusal, describe, onPick, written, chosen }) {
   pickers += 1;
   const own = `media-${pickers}`;
-  const input = h("input", {
-    class: "preset",
-    type: "text",
-    role: "combobox",
-    autocomplete: "off",
-    spellcheck: "false",
-    placeholder: "own value",
-    "aria-label": label,
-    "aria-expanded": "false",
-    "aria-autocomplete": "list",
-    "aria-haspopup": "listbox",
-  });
-  const element = h("span", { class: "picker media-picker" }, input);
   /** @type {HTMLElement | null} */
   let list = null;
   /** @type {Material[]} */
   let found = [];
   let active = -1;
-  /** @type {string | null} */
-  let chosen = null;
-
-  /** @param {string | null} id */
-  function written(id) {
-    const material = materials.find((m) => m.id === id);
-    return material ? `${material.name}\u2003${note(material)}` : "";
-  }
 
   /** @param {Material} material @param {number} index */
   function option(material, index) {
@@ -106,8 +83,8 @@ export function createPicker({
         "data-id": material.id,
         title: why,
       },
-      h("span", { class: "media-name" }, material.name),
-      h("span", { class: "note" }, `${note(material)} · ${origin(material)}`),
+      h("span.media-name", material.name),
+      h("span.note", `${note(material)} · ${origin(material)}`),
     );
   }
 
@@ -117,14 +94,14 @@ export function createPicker({
     const names = text.trim() === "" ? [...new Set(all.map(groupOf))] : [];
     found = names.length ? names.flatMap((name) => all.filter((m) => groupOf(m) === name)) : all;
     if (!list) {
-      list = h("ul", { class: "media-list", id: own, role: "listbox", "aria-label": "Media" });
+      list = h("ul.media-list", { id: own, role: "listbox", "aria-label": "Media" });
       // A press must not take the focus from the field.
       list.addEventListener("pointerdown", (event) => event.preventDefault());
       list.addEventListener("click", (event) => {
         const row = /** @type {HTMLElement} */ (event.target).closest("li[data-index]");
         if (row instanceof HTMLElement) take(Number(row.dataset.index));
       });
-      element.append(list);
+      input.after(list);
       input.setAttribute("aria-expanded", "true");
       input.setAttribute("aria-controls", own);
     }
@@ -142,15 +119,15 @@ export function createPicker({
         h(
           "ul",
           { role: "group", "aria-label": name },
-          h("li", { class: "media-group", role: "presentation" }, name),
+          h("li.media-group", { role: "presentation" }, name),
           ...members,
         ),
       );
     });
     list.replaceChildren(...(names.length ? rows : found.map(option)));
     if (found.length === 0)
-      list.append(h("li", { class: "media-group", role: "presentation" }, "nothing is called so"));
-    activate(text.trim() === "" ? found.findIndex((m) => m.id === chosen) : 0);
+      list.append(h("li.media-group", { role: "presentation" }, "nothing is called so"));
+    activate(text.trim() === "" ? found.findIndex((m) => m.id === chosen()) : 0);
   }
 
   function close() {
@@ -160,7 +137,7 @@ export function createPicker({
     input.setAttribute("aria-expanded", "false");
     input.removeAttribute("aria-controls");
     input.removeAttribute("aria-activedescendant");
-    input.value = written(chosen);
+    input.value = written();
   }
 
   /** @param {number} index */
@@ -188,41 +165,35 @@ export function createPicker({
     input.select();
   }
 
-  input.addEventListener("click", () => {
-    if (list) return;
-    input.select();
-    open("");
-  });
-  input.addEventListener("focus", async () => {
-    await describe();
-    if (list && input.value !== written(chosen)) open(input.value);
-  });
-  input.addEventListener("input", () => open(input.value));
-  input.addEventListener("blur", close);
-  input.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey) return;
-    const step = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10 }[event.key];
-    if (step !== undefined) {
-      event.preventDefault();
+  /** @type {Record<string, (event: Event) => void>} */
+  const answers = {
+    click() {
       if (!list) open("");
-      else activate(Math.min(Math.max(active + step, 0), found.length - 1));
-    } else if (event.key === "Enter" && list) {
-      event.preventDefault();
-      take(active);
-    } else if (event.key === "Escape" && list) {
-      event.preventDefault();
-      close();
-      input.select();
-    }
-  });
-
-  return {
-    element,
-    /** @param {string | null} id */
-    show(id) {
-      if (id === chosen) return;
-      chosen = id;
-      if (!list) input.value = written(id);
     },
+    async focus() {
+      await describe();
+      if (list && input.value !== written()) open(input.value);
+    },
+    input: () => open(input.value),
+    blur: close,
+    keydown(event) {
+      const { key, ctrlKey, metaKey } = /** @type {KeyboardEvent} */ (event);
+      if (ctrlKey || metaKey) return;
+      const step = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10 }[key];
+      if (step !== undefined) {
+        if (!list) open("");
+        else activate(Math.min(Math.max(active + step, 0), found.length - 1));
+      } else if (key === "Enter" && list) take(active);
+      else if (key === "Escape" && list) {
+        close();
+        input.select();
+      } else return;
+      event.preventDefault();
+    },
+  };
+  return {
+    isOpen: () => list !== null,
+    /** @param {Event} event of the field */
+    on: (event) => answers[event.type]?.(event),
   };
 }

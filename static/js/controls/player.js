@@ -3,12 +3,7 @@
 const SWEEP_SECONDS = 8;
 const STILL_STEPS = 24; // with reduced motion the sweep goes in so many visible steps
 
-/**
- * @param {object} options
- * @param {() => {value: number, low: number, high: number, fine: number}} options.now
- * @param {(value: number) => void} options.onValue
- * @param {(playing: boolean) => void} options.onPlaying
- */
+/** @param {PlayerOptions} options */
 export function createPlayer({ now, onValue, onPlaying }) {
   let frame = 0;
   let direction = 1;

@@ -1,6 +1,6 @@
 /** Boxes to type in, alone or as the two ends of an axis, and the words that say why something cannot be taken. */
 
-import { evaluate } from "../numbers/entry.js";
+import { evaluate } from "../numbers/expression.js";
 import { plain } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
 import { h, setText, symbol } from "../page/dom.js";

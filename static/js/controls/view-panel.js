@@ -1,7 +1,7 @@
 /** The panel beside a view: the media, their three indices, and below them the view's own choices. */
 
+import { createInterface } from "../media/media.js";
 import { h } from "../page/dom.js";
-import { createInterface } from "./media.js";
 import { createSheet } from "./panel.js";
 
 /** @param {Parameters<typeof createInterface>[0] & {choices: Node[]}} options */

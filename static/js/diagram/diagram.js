@@ -6,18 +6,23 @@
  */
 
 import { put, px, show } from "../draw/svg.js";
-import { angle } from "../numbers/format.js";
-import { readTheme } from "../plot/host.js";
-import { angleAt, arcPath, at, direction, stageOf, tint } from "./geometry.js";
+import { angle, percent } from "../numbers/format.js";
+import { h, setText } from "../page/dom.js";
+import { readTheme } from "../plot/figure.js";
 import {
-  createFan,
+  angleAt,
+  arcPath,
+  at,
   createScene,
+  direction,
   setArrow,
   setDecay,
   setIncident,
   setLine,
   setScale,
   setSigns,
+  stageOf,
+  tint,
 } from "./scene.js";
 import { createAnnotations, description } from "./words.js";
 
@@ -67,7 +72,8 @@ export function createDiagram(element, actions) {
   element.setAttribute("role", "figure");
   element.setAttribute("aria-label", "Ray at the surface");
   const scene = createScene();
-  const fan = createFan(scene.refracted.group);
+  /** Fetched with the first white light. @type {ReturnType<typeof import("./fan.js").createFan> | null} */
+  let fan = null;
   element.append(scene.root);
   const handle = createHandle(element);
   const said = document.createElement("p");
@@ -145,7 +151,12 @@ export function createDiagram(element, actions) {
       put(scene.arcRefracted, "d", arcPath(stage, stage.arc, theta_t_deg, "refracted"));
     }
     const rays = values.dispersion ?? [];
-    fan.update(stage, rays);
+    if (fan) fan.update(stage, rays);
+    else if (rays.length > 0)
+      void import("./fan.js").then(({ createFan }) => {
+        fan ??= createFan(scene.refracted.group);
+        render();
+      });
     setArrow(scene.refracted, stage, down ?? up, down && rays.length === 0 ? rest : 0);
     const both = polarization === "unpolarized";
     const signs = [
@@ -212,16 +223,7 @@ export function createDiagram(element, actions) {
 /** With Shift the ray turns by this share of the pointer's turn. */
 const FINE = 0.1;
 
-/**
- * @param {object} task
- * @param {HTMLElement} task.host
- * @param {HTMLElement} task.handle
- * @param {SVGElement} task.grip
- * @param {() => Stage} task.stage
- * @param {() => number} task.theta
- * @param {DragActions} task.actions
- * @returns {() => void} stop listening
- */
+/** @param {ListenForDragsOptions} task @returns {() => void} stop listening */
 export function listenForDrags({ host, handle, grip, stage, theta, actions }) {
   const listening = new AbortController();
   const { signal } = listening;
@@ -320,4 +322,27 @@ export function listenForDrags({ host, handle, grip, stage, theta, actions }) {
     { signal },
   );
   return () => listening.abort();
+}
+
+export function createSplit() {
+  const reflected = h("div");
+  const bar = h("div.split-bar", { "aria-hidden": "true" }, reflected);
+  const left = h("b");
+  const right = h("b");
+  const rest = h("span", "transmitted");
+  const element = h(
+    "div.split",
+    bar,
+    h("p.split-text", h("span", "reflected ", left), h("span", right, " ", rest)),
+  );
+  return {
+    element,
+    /** @param {number} share reflected @param {number} passed @param {boolean} absorbing */
+    update(share, passed, absorbing) {
+      bar.style.setProperty("--share", String(share));
+      setText(left, percent(share));
+      setText(right, percent(passed));
+      setText(rest, absorbing ? "into the absorber" : "transmitted");
+    },
+  };
 }

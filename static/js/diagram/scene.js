@@ -1,8 +1,174 @@
-/** All nodes of the diagram, made once; a drag only changes their attributes. */
+/**
+ * The diagram in pixels: where things are, all nodes, made once, and how values are written into
+ * them. y grows downward, the surface is level, the ray comes from the upper left. Nothing here
+ * knows optics; angles and shares come from the server.
+ */
 
-import { boxOf } from "../draw/boxes.js";
-import { moveText, put, px, setLabel, show, svg, svgText } from "../draw/svg.js";
-import { arrowSize, at, direction, HEAD_PATH, signPlaces } from "./geometry.js";
+import { boxOf, moveText, put, px, setLabel, show, svg, svgText } from "../draw/svg.js";
+
+const RADIAN = Math.PI / 180;
+
+/**
+ * @param {number} width
+ * @param {number} height
+ * @param {number} [unit]
+ * @returns {Stage}
+ */
+export function stageOf(width, height, unit = 1) {
+  const length = Math.min(width, height) * 0.42;
+  const y = Math.round(height / 2);
+  const inset = (width < 400 ? 12 : 16) * unit;
+  return {
+    width,
+    height,
+    x: Math.round(width / 2),
+    y,
+    length,
+    arc: length * 0.4,
+    wavelength: Math.round(height / 8),
+    inset,
+    unit,
+    normal: {
+      top: Math.max(inset, y - length * 1.12),
+      bottom: Math.min(height - inset, y + length * 1.12),
+    },
+  };
+}
+
+/**
+ * Unit vectors from the point of incidence: back along the incident ray, along the reflected ray,
+ * along the refracted ray. Exactly upright and level at 0 and 90 degrees.
+ * @param {number} degrees from the normal
+ * @param {"incident" | "reflected" | "refracted"} ray
+ * @returns {Place}
+ */
+export function direction(degrees, ray) {
+  const sine = degrees === 90 ? 1 : Math.sin(degrees * RADIAN);
+  const cosine = degrees === 90 ? 0 : Math.cos(degrees * RADIAN);
+  return {
+    x: ray === "incident" ? -sine : sine,
+    y: ray === "refracted" ? cosine : -cosine,
+  };
+}
+
+/**
+ * @param {Place} from
+ * @param {Place} along unit vector
+ * @param {number} distance
+ * @returns {Place}
+ */
+export function at(from, along, distance) {
+  return { x: from.x + along.x * distance, y: from.y + along.y * distance };
+}
+
+/** @param {number} value */
+const short = (value) => Number(value.toFixed(2));
+
+/**
+ * Path of the arc from the normal to a ray.
+ * @param {Place} origin
+ * @param {number} radius
+ * @param {number} degrees
+ * @param {"incident" | "refracted"} ray
+ */
+export function arcPath(origin, radius, degrees, ray) {
+  const start = at(origin, direction(0, ray), radius);
+  const end = at(origin, direction(degrees, ray), radius);
+  // both arcs run counterclockwise on the screen
+  return `M${short(start.x)},${short(start.y)}A${short(radius)},${short(radius)} 0 0 0 ${short(end.x)},${short(end.y)}`;
+}
+
+/**
+ * The same arc as a chain of chords, for labels to keep clear of.
+ * @param {Place} origin
+ * @param {number} radius
+ * @param {number} degrees
+ * @param {"incident" | "refracted"} ray
+ * @returns {Segment[]}
+ */
+export function arcChords(origin, radius, degrees, ray) {
+  const count = Math.max(1, Math.ceil(degrees / 10));
+  /** @type {Segment[]} */
+  const chords = [];
+  let from = at(origin, direction(0, ray), radius);
+  for (let n = 1; n <= count; n += 1) {
+    const to = at(origin, direction((degrees * n) / count, ray), radius);
+    chords.push({ x1: from.x, y1: from.y, x2: to.x, y2: to.y });
+    from = to;
+  }
+  return chords;
+}
+
+/**
+ * The arrow for a share of the light: as long as the share, and as heavy. A head longer than its
+ * arrow would lie about the length, so the head gives way.
+ * @param {number} share 0 … 1
+ * @param {{length: number, unit: number}} stage
+ */
+export function arrowSize(share, stage) {
+  const length = share * stage.length;
+  const width = (1.25 + 2 * share) * stage.unit;
+  const head = Math.min(length, (7 + 8 * share) * stage.unit);
+  return { length, width, head, visible: length >= 0.75 };
+}
+
+/**
+ * Where the signs of polarization stand on a ray, clear of its arrow's head and of each other.
+ * @param {Stage} stage
+ * @param {{from: number, to: number} | null} head px from the point of incidence; none on the incident ray
+ * @param {boolean} both
+ * @returns {{s: number, p: number}} px from the point of incidence
+ */
+export function signPlaces({ length, arc, unit }, head, both) {
+  if (!head)
+    return both ? { s: length * 0.69, p: length * 0.83 } : { s: length * 0.76, p: length * 0.76 };
+  const clear = 13 * unit;
+  const apart = Math.min(22 * unit, length * 0.18);
+  const before = head.from - clear;
+  const behind = head.to + clear;
+  /** @param {number} place */
+  const free = (place) => place > arc + 6 * unit && (place <= before || place >= behind);
+  if (!both) {
+    const only = [length * 0.62, before, behind].find(free) ?? behind;
+    return { s: only, p: only };
+  }
+  const [s, p] = [length * 0.54, length * 0.72];
+  /** @type {[number, number][]} */
+  const pairs = [
+    [s, p],
+    [before - apart, before],
+    [Math.min(s, before), Math.max(p, behind)],
+  ];
+  const found = pairs.find((pair) => free(pair[0]) && free(pair[1]) && pair[1] - pair[0] >= apart);
+  return found ? { s: found[0], p: found[1] } : { s: behind, p: behind + apart };
+}
+
+/** Head of an arrow one px long with its tip at the origin, pointing along +x. */
+export const HEAD_PATH = "M0,0L-1,-.4L-.78,0L-1,.4Z";
+
+/**
+ * Angle of incidence of a ray through a point of the screen: the upper left quadrant, and beyond
+ * its sides the nearest end.
+ * @param {Place} origin
+ * @param {Place} point
+ * @returns {number} degrees, 0 … 90
+ */
+export function angleAt(origin, point) {
+  const left = origin.x - point.x;
+  const up = origin.y - point.y;
+  if (left <= 0) return up >= 0 ? 0 : 90;
+  if (up <= 0) return 90;
+  return Math.atan2(left, up) / RADIAN;
+}
+
+/**
+ * How strongly a medium is tinted: nothing at 1 and below, more with each doubling of the index.
+ * @param {number} n
+ * @returns {number} 0 … 1
+ */
+export function tint(n) {
+  return n <= 1 ? 0 : Math.min(1, Math.log2(n) / 3);
+}
 
 /** Depths, in penetration depths, at which the decay's gradient has a stop. */
 export const DECAY = [0, 0.25, 0.5, 0.75, 1, 1.33, 1.67, 2, 2.5, 3, 4, 5];
@@ -78,71 +244,53 @@ export function createScene() {
   const darkness = decay(defs, `darkness-${own}`, (depths) => 1 - Math.exp(-depths));
   const glow = decay(defs, `glow-${own}`, (depths) => Math.exp(-depths));
 
+  // Its nodes in the order in which they are painted.
   const media = svg("g", {}, root);
-  const upper = svg("rect", { class: "ray-medium ray-upper", x: 0, y: 0 }, media);
-  const lower = svg("rect", { class: "ray-medium ray-lower", x: 0 }, media);
-  const dark = svg("rect", { class: "ray-darkness", x: 0, fill: `url(#darkness-${own})` }, media);
-  const light = svg("rect", { class: "ray-glow", x: 0, fill: `url(#glow-${own})` }, media);
-
   const guides = svg("g", { class: "ray-guides" }, root);
-  const protractor = svg("path", { class: "ray-protractor" }, guides);
-  const marks = Array.from({ length: LANDMARKS }, () => ({
-    line: svg("line", { class: "ray-landmark" }, guides),
-    name: svgText(guides, "ray-landmark-name"),
-  }));
-  const normal = svg("line", { class: "ray-normal" }, guides);
-  const surface = svg("line", { class: "ray-surface", x1: 0 }, guides);
-  const arcIncident = svg("path", { class: "ray-angle" }, guides);
-  const arcRefracted = svg("path", { class: "ray-angle" }, guides);
-  const pathReflected = svg("line", { class: "ray-direction" }, guides);
-  const pathRefracted = svg("line", { class: "ray-direction" }, guides);
-
   const rays = svg("g", { class: "ray-arrows" }, root);
-  const incident = arrow(rays, "ray-arrow ray-incident");
-  const refracted = arrow(rays, "ray-arrow ray-refracted");
-  const reflected = arrow(rays, "ray-arrow ray-reflected");
-  const grip = svg("line", { class: "ray-grip" }, rays);
-  const signsIncident = signs(rays);
-  const signsReflected = signs(rays);
-  const signsRefracted = signs(rays);
-
   const words = svg("g", { class: "ray-words" }, root);
-  const text = (/** @type {string} */ className) => svgText(words, className);
+  const guide = (/** @type {string} */ name) => svg("line", { class: `ray-${name}` }, guides);
+  const text = (/** @type {string} */ name) => svgText(words, `ray-${name}`);
   return {
     root,
     darkness,
     glow,
-    upper,
-    lower,
-    dark,
-    light,
-    protractor,
-    marks,
-    normal,
-    surface,
-    arcIncident,
-    arcRefracted,
-    pathReflected,
-    pathRefracted,
-    incident,
-    refracted,
-    reflected,
-    grip,
-    signs: { incident: signsIncident, reflected: signsReflected, refracted: signsRefracted },
-    words,
-    upperName: text("ray-medium-name"),
-    upperIndex: text("ray-medium-index"),
-    lowerName: text("ray-medium-name"),
-    lowerIndex: text("ray-medium-index"),
-    depth: text("ray-medium-index"),
-    total: text("ray-total"),
-    totalRest: text("ray-total"),
-    thetaIncident: text("ray-theta"),
-    thetaRefracted: text("ray-theta"),
-    shareReflected: text("ray-share"),
-    shareRefracted: text("ray-share"),
+    upper: svg("rect", { class: "ray-medium ray-upper", x: 0, y: 0 }, media),
+    lower: svg("rect", { class: "ray-medium ray-lower", x: 0 }, media),
+    dark: svg("rect", { class: "ray-darkness", x: 0, fill: `url(#darkness-${own})` }, media),
+    light: svg("rect", { class: "ray-glow", x: 0, fill: `url(#glow-${own})` }, media),
+
+    protractor: svg("path", { class: "ray-protractor" }, guides),
+    marks: Array.from({ length: LANDMARKS }, () => ({
+      line: guide("landmark"),
+      name: svgText(guides, "ray-landmark-name"),
+    })),
+    normal: guide("normal"),
+    surface: svg("line", { class: "ray-surface", x1: 0 }, guides),
+    arcIncident: svg("path", { class: "ray-angle" }, guides),
+    arcRefracted: svg("path", { class: "ray-angle" }, guides),
+    pathReflected: guide("direction"),
+    pathRefracted: guide("direction"),
+
+    incident: arrow(rays, "ray-arrow ray-incident"),
+    refracted: arrow(rays, "ray-arrow ray-refracted"),
+    reflected: arrow(rays, "ray-arrow ray-reflected"),
+    grip: svg("line", { class: "ray-grip" }, rays),
+    signs: { incident: signs(rays), reflected: signs(rays), refracted: signs(rays) },
+
+    upperName: text("medium-name"),
+    upperIndex: text("medium-index"),
+    lowerName: text("medium-name"),
+    lowerIndex: text("medium-index"),
+    depth: text("medium-index"),
+    total: text("total"),
+    totalRest: text("total"),
+    thetaIncident: text("theta"),
+    thetaRefracted: text("theta"),
+    shareReflected: text("share"),
+    shareRefracted: text("share"),
     scaleBar: svg("path", { class: "ray-scale-bar" }, words),
-    scaleText: text("ray-scale-text"),
+    scaleText: text("scale-text"),
   };
 }
 
@@ -287,36 +435,4 @@ export function setDecay(rect, gradient, stage, depth) {
   const deepest = DECAY[DECAY.length - 1] ?? 1;
   put(gradient, "y1", stage.y);
   put(gradient, "y2", (stage.y + Math.max(deepest * depth * stage.wavelength, 0.01)).toFixed(2));
-}
-
-/** px from the point of incidence along a direction to the edge of the picture. @param {Stage} stage @param {{x: number, y: number}} along */
-function reach({ x, y, width, height }, along) {
-  const down = along.y > 1e-9 ? (height - y) / along.y : Number.POSITIVE_INFINITY;
-  const aside = along.x > 1e-9 ? (width - x) / along.x : Number.POSITIVE_INFINITY;
-  return Math.min(down, aside, width + height);
-}
-
-/**
- * @param {SVGElement} before what lies above the rays
- */
-export function createFan(before) {
-  const group = svg("g", { class: "ray-fan" });
-  before.before(group);
-  /** @type {SVGLineElement[]} */
-  const lines = [];
-  return {
-    /** @param {Stage} stage @param {readonly {nm: number, theta_t_deg: number | null, color: string}[]} rays */
-    update(stage, rays) {
-      rays.forEach(({ theta_t_deg, color }, index) => {
-        const line = lines[index] ?? svg("line", {}, group);
-        lines[index] = line;
-        show(line, theta_t_deg !== null);
-        if (theta_t_deg === null) return;
-        const along = direction(theta_t_deg, "refracted");
-        setLine(line, stage, at(stage, along, reach(stage, along)));
-        put(line, "style", `stroke: ${color}; stroke-width: ${px(1.6 * stage.unit)}`);
-      });
-      for (const line of lines.slice(rays.length)) show(line, false);
-    },
-  };
 }

@@ -84,3 +84,35 @@ interface Placed extends Place {
   slot: string;
   clear: boolean;
 }
+
+interface ListenForDragsOptions {
+  host: HTMLElement;
+  handle: HTMLElement;
+  grip: SVGElement;
+  stage: () => Stage;
+  theta: () => number;
+  actions: DragActions;
+}
+
+interface DescriptionOptions {
+  interface: { n_i: number; n_t: number; k_t: number };
+  labels: { incident: string; transmitted: string };
+  theta_i_deg: number;
+  theta_t_deg: number | null;
+  tir: boolean;
+  /** Share. */
+  reflected: number;
+  /** Share. */
+  passed: number;
+  depth: number | null;
+  polarization: string;
+  angleUnit: "deg" | "rad";
+}
+
+interface PlaceAllOptions {
+  wishes: readonly Wish[];
+  frame: Box;
+  segments: readonly Segment[];
+  boxes: readonly Box[];
+  previous?: ReadonlyMap<string, Placed>;
+}

@@ -1,113 +1,54 @@
 /** The controls of the Explore view, made from the declared parameters. */
 
-import { createMedia } from "../controls/media.js";
-import { createChoice, createSheet } from "../controls/panel.js";
-import { createRow } from "../controls/row.js";
+import {
+  ANGLE_STEPS,
+  angleWriting,
+  createChoice,
+  createRow,
+  createSheet,
+} from "../controls/panel.js";
+import { createInterface } from "../media/media.js";
 import { modelStyle, sample } from "../models/look.js";
-import { evaluateAngle } from "../numbers/entry.js";
-import { angle, inDegrees, inUnit, plain } from "../numbers/format.js";
+import { angle } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
 
-/**
- * @typedef {Pick<import('../controls/row.js').RowOptions, 'label' | 'range' | 'wide' | 'steps'>} Manner
- */
-
-/** How the parameters of the surface are moved; what they may be is declared by the server. @type {Record<string, Manner>} */
+/** How the indices are moved. @type {Record<string, RowManner>} */
 const MANNERS = {
-  n_i: {
-    label: "incident index",
-    range: [1, 3],
-    wide: [0.1, 10],
-    steps: { step: 0.01, fine: 0.001, page: 0.1 },
-  },
-  n_t: {
-    label: "second index",
-    range: [1, 3],
-    wide: [0.1, 10],
-    steps: { step: 0.01, fine: 0.001, page: 0.1 },
-  },
-  k_t: {
-    label: "extinction",
-    range: [0, 5],
-    wide: [0, 20],
-    steps: { step: 0.01, fine: 0.001, page: 0.1 },
-  },
-  theta_i_deg: {
-    label: "angle of incidence",
-    range: [0, 90],
-    steps: { step: 0.5, fine: 0.05, page: 5 },
-  },
+  n_i: { label: "incident index", range: [1, 3], wide: [0.1, 10] },
+  n_t: { label: "second index", range: [1, 3], wide: [0.1, 10] },
+  k_t: { label: "extinction", range: [0, 5], wide: [0, 20] },
 };
-export const ANGLE_STEPS = { step: 0.5, fine: 0.05, page: 5 };
 
-/**
- * @param {object} options
- * @param {Catalog} options.catalog
- * @param {State} options.presets the state's defaults
- * @param {() => State} options.state
- * @param {Actions} options.actions
- * @param {() => Promise<void>} options.describeMedia
- */
+/** @param {ControlsOptions} options */
 export function createControls({ catalog, presets, state, actions, describeMedia }) {
-  const unit = () => state().angle;
-  /** A value of one's own is no preset any more. @type {Record<string, string>} */
-  const preset = { n_i: "incident", n_t: "material", k_t: "material" };
-
-  /** @param {string} name @param {number | null} value @param {boolean} moving */
-  function change(name, value, moving) {
-    /** @type {State} */
-    const patch = { [name]: value };
-    const side = preset[name];
-    if (side) patch[side] = null;
-    actions.set(patch, { history: moving ? "replace" : "push" });
-  }
-
-  /** @param {Parameter} parameter @param {Manner} manner @param {string} [name] */
-  function row(parameter, manner, name = parameter.name) {
-    const isAngle = parameter.unit === "deg";
-    return createRow({
-      parameter: { ...parameter, name },
-      preset: presets[name],
-      ...manner,
-      onChange: (value, moving) => change(name, value, moving),
-      onSettle: actions.settle,
-      ...(isAngle && {
-        writing: {
-          print: (/** @type {number} */ v) =>
-            unit() === "rad" ? angle(v, "rad") : `${plain(v, 6)}°`,
-          end: (/** @type {number} */ v) =>
-            unit() === "rad" ? `${plain(inUnit(v, "rad"), 4)}\u00a0rad` : `${plain(v)}°`,
-          parse(/** @type {string} */ text) {
-            const typed = evaluateAngle(text, unit());
-            return inDegrees(typed.value, typed.unit);
-          },
-          allowed: () =>
-            `${angle(parameter.minimum, unit())} to ${angle(parameter.maximum, unit())}`,
-        },
-      }),
-    });
-  }
-
-  const rows = new Map(
-    catalog.parameters
-      .filter((p) => p.name in MANNERS)
-      .map((p) => [p.name, row(p, /** @type {Manner} */ (MANNERS[p.name]))]),
-  );
-
-  const media = createMedia({
-    materials: catalog.materials,
-    describe: describeMedia,
+  const { rows, media } = createInterface({
+    catalog,
+    presets,
+    state,
     actions,
-    onPick(side, id) {
-      const material = catalog.materials.find((m) => m.id === id);
-      if (!material) return;
-      actions.set({ [side]: id });
-    },
-    onSwap() {
-      const { n_i, n_t, incident, material } = state();
-      actions.set({ n_i: n_t, n_t: n_i, incident: material, material: incident });
-    },
+    prefix: "",
+    manners: MANNERS,
+    describeMedia,
   });
+  const declared = catalog.parameters.find((p) => p.name === "theta_i_deg");
+  if (declared) {
+    const { name, symbol, minimum, maximum } = declared;
+    const unit = () => state().angle;
+    const row = createRow({
+      parameter: declared,
+      preset: presets[name],
+      label: "angle of incidence",
+      range: [0, 90],
+      steps: ANGLE_STEPS,
+      onChange: (value, moving) =>
+        actions.set({ [name]: value }, { history: moving ? "replace" : "push" }),
+      onSettle: actions.settle,
+      writing: angleWriting(() => `${angle(minimum, unit())} to ${angle(maximum, unit())}`, unit),
+    });
+    const print = () => angle(state()[name], unit(), unit() === "deg" ? 1 : 3);
+    rows.push({ name, symbol, row, print });
+  }
+
   const polarization = createChoice({
     legend: "Polarization",
     items: [
@@ -157,12 +98,7 @@ export function createControls({ catalog, presets, state, actions, describeMedia
           value: m.id,
           label: m.title,
           note: m.validity,
-          content: h(
-            "span",
-            { class: "overlay-name" },
-            sample(modelStyle(catalog.models, m.id)),
-            m.title,
-          ),
+          content: h("span.overlay-name", sample(modelStyle(catalog.models, m.id)), m.title),
         })),
         onChange(picked) {
           const others = state().models.filter(
@@ -171,11 +107,11 @@ export function createControls({ catalog, presets, state, actions, describeMedia
           actions.set({ models: [...others, ...picked] });
         },
       });
-      const count = h("span", { class: "count" });
+      const count = h("span.count");
       const box = h(
-        "details",
-        { class: "forms", open: kind === "approximation" },
-        h("summary", {}, legend, count),
+        "details.forms",
+        { open: kind === "approximation" },
+        h("summary", legend, count),
         group.element,
       );
       return { models, group, box, count };
@@ -198,14 +134,12 @@ export function createControls({ catalog, presets, state, actions, describeMedia
   }
 
   const body = h(
-    "div",
-    { class: "panel-body" },
-    h("div", { class: "heading" }, h("h2", {}, "Media")),
+    "div.panel-body",
+    h("div.heading", h("h2", "Media")),
     media.element,
-    h("div", { class: "rows" }, ...[...rows.values()].map((r) => r.element)),
+    h("div.rows", ...rows.map(({ row }) => row.element)),
     h(
-      "div",
-      { class: "choices" },
+      "div.choices",
       polarization.element,
       angles.element,
       show.element,
@@ -213,24 +147,13 @@ export function createControls({ catalog, presets, state, actions, describeMedia
       ownPlace,
     ),
   );
-  const pages = [...rows].map(([name, row]) => ({
-    name,
-    symbol: catalog.parameters.find((p) => p.name === name)?.symbol ?? name,
-    row,
-    print() {
-      const now = state();
-      return name === "theta_i_deg"
-        ? angle(now[name], now.angle, now.angle === "deg" ? 1 : 3)
-        : plain(now[name], 4);
-    },
-  }));
-  const sheet = createSheet({ pages, body, first: "theta_i_deg" });
+  const sheet = createSheet({ pages: rows, body, first: "theta_i_deg" });
 
   return {
     element: sheet.element,
     stop() {
       media.stop();
-      for (const r of rows.values()) r.stop();
+      for (const { row } of rows) row.stop();
       own?.stop();
     },
     /**
@@ -246,7 +169,7 @@ export function createControls({ catalog, presets, state, actions, describeMedia
         n_t: [{ value: now.n_i, label: "equal to n_i" }],
         theta_i_deg: landmarks.map((l) => ({ value: l.deg, label: l.label })),
       };
-      for (const [name, row] of rows) row.update(now[name], marks[name] ?? []);
+      for (const { name, row } of rows) row.update(now[name], marks[name] ?? []);
       sheet.update();
       polarization.update([now.polarization]);
       angles.update([now.angle]);

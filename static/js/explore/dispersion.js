@@ -1,8 +1,8 @@
 /** White light at the surface: where each wavelength goes, from the curves that the server computed. */
 
 import { locate, read, values } from "../curves/reading.js";
-import { knownRange, spreadPaths } from "../media/constants.js";
-import { wavelengthColor } from "../media/wavelength-color.js";
+import { knownRange, spreadPaths } from "../media/media.js";
+import { wavelengthColor } from "../media/wavelength.js";
 import { angle } from "../numbers/format.js";
 import { h, setText } from "../page/dom.js";
 
@@ -39,14 +39,9 @@ function isOf(media, { incident, material, n_i, n_t, k_t }, materials) {
 
 /** The angles of refraction side by side, magnified until they can be told apart. */
 export function createDispersion() {
-  const strip = h("div", { class: "spread-strip", "aria-hidden": "true" });
-  const text = h("p", { class: "spread-text" });
-  const element = h(
-    "section",
-    { class: "spread", "aria-label": "White light", hidden: true },
-    strip,
-    text,
-  );
+  const strip = h("div.spread-strip", { "aria-hidden": "true" });
+  const text = h("p.spread-text");
+  const element = h("section.spread", { "aria-label": "White light", hidden: true }, strip, text);
   let shown = "";
   return {
     element,
@@ -66,9 +61,9 @@ export function createDispersion() {
         strip.replaceChildren(
           ...refracted.map(({ nm, color, theta_t_deg }, index) => {
             const line = h(
-              "span",
-              { class: "spread-ray", "data-row": index % 2 },
-              h("span", { class: "spread-nm" }, String(nm)),
+              "span.spread-ray",
+              { "data-row": index % 2 },
+              h("span.spread-nm", String(nm)),
             );
             const part = ((theta_t_deg ?? 0) - low) / (high - low);
             line.style.setProperty("--at", part.toFixed(4));

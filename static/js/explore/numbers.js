@@ -2,10 +2,9 @@
 
 import { angle, inUnit, six } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
-import { copyText, flash } from "../page/exports.js";
+import { copying } from "../page/exports.js";
 
 /**
- * @typedef {import('../curves/reading.js').Reading} Reading
  * @typedef {'deg' | 'rad'} Unit
  * @typedef {{name: string, heading: Node | string, get: (r: Reading) => number | null | undefined, degrees?: boolean,
  *   only?: (r: Reading) => boolean}} Entry
@@ -78,14 +77,9 @@ export function createNumbers(say) {
 
   /** @param {Entry} entry */
   function cell(entry) {
-    const value = h("button", { type: "button", class: "number", tabindex: "-1" });
-    value.addEventListener("click", async () => {
-      const number = full(entry);
-      if (number === undefined) return;
-      const done = await copyText(number === null ? "none" : String(number));
-      flash(value, done);
-      say(done ? `${entry.name} copied` : "Copying is not allowed here");
-    });
+    const value = h("button.number", { type: "button", tabindex: "-1" });
+    const copy = copying(() => String(full(entry) ?? "none"), say, `${entry.name} copied`);
+    value.addEventListener("click", (event) => full(entry) !== undefined && copy(event));
     return { entry, value };
   }
 
@@ -94,34 +88,26 @@ export function createNumbers(say) {
   const all = [...summary, ...amplitudes.flat()];
 
   const grid = h(
-    "dl",
-    { class: "numbers" },
-    ...summary.map(({ entry, value }) =>
-      h("div", {}, h("dt", {}, entry.heading), h("dd", {}, value)),
-    ),
+    "dl.numbers",
+    ...summary.map(({ entry, value }) => h("div", h("dt", entry.heading), h("dd", value))),
   );
   const table = h(
-    "table",
-    { class: "amplitudes" },
+    "table.amplitudes",
     h(
       "thead",
-      {},
       h(
         "tr",
-        {},
         h("td"),
         ...["real", "imaginary", "modulus", "phase"].map((t) => h("th", { scope: "col" }, t)),
       ),
     ),
     h(
       "tbody",
-      {},
       ...amplitudes.map((row) =>
         h(
           "tr",
-          {},
           h("th", { scope: "row" }, row[0]?.entry.heading),
-          ...row.map(({ value }) => h("td", {}, value)),
+          ...row.map(({ value }) => h("td", value)),
         ),
       ),
     ),
@@ -138,24 +124,23 @@ export function createNumbers(say) {
     () => PARTS.length,
   );
 
-  const copyAll = h("button", { type: "button", class: "quiet" }, "copy all");
-  copyAll.addEventListener("click", async () => {
-    if (!reading) return;
-    const { n_i, n_t, k_t } = reading.interface;
+  function everything() {
+    const { n_i, n_t, k_t } = /** @type {Reading} */ (reading).interface;
     const rows = [
       ["n_i", n_i],
       ["n_t", n_t],
       ["k_t", k_t],
-      [`theta_i_${unit}`, inUnit(reading.theta_i_deg, unit)],
+      [`theta_i_${unit}`, inUnit(reading?.theta_i_deg ?? 0, unit)],
       ...all.map(({ entry }) => [
         entry.degrees ? `${entry.name}_${unit}` : entry.name,
         full(entry) ?? "none",
       ]),
     ];
-    const done = await copyText(`${rows.map((r) => r.join("\t")).join("\n")}\n`);
-    flash(copyAll, done);
-    say(done ? `${rows.length} numbers copied` : "Copying is not allowed here");
-  });
+    return `${rows.map((r) => r.join("\t")).join("\n")}\n`;
+  }
+  const copyAll = h("button.quiet", { type: "button" }, "copy all");
+  const copy = copying(everything, say, `${all.length + 4} numbers copied`);
+  copyAll.addEventListener("click", (event) => reading && copy(event));
 
   return {
     grid,

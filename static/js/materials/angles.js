@@ -1,8 +1,7 @@
 /** R over the angle at wavelengths of choice: Shirley's figure of copper, for any material. */
 
-import { locate, read } from "../curves/reading.js";
-import { angleAxis } from "../curves/traces.js";
-import { wavelengthColor, wavelengthDash, wavelengthProperty } from "../media/wavelength-color.js";
+import { angleAxis, pointsAt } from "../curves/reading.js";
+import { wavelengthColor, wavelengthDash, wavelengthProperty } from "../media/wavelength.js";
 import { inDegrees, inUnit, plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
@@ -36,10 +35,7 @@ export function createAnglePlot({ actions, now }, frame, options) {
     mark(traces) {
       const { theta_i_deg, angle } = now();
       const at = inUnit(theta_i_deg, angle);
-      plot.marker(
-        at,
-        traces.map((t) => ({ id: t.id, y: read(t.y, locate(t.x, at)) })),
-      );
+      plot.marker(at, pointsAt(traces, at));
     },
   };
 }

@@ -1,6 +1,6 @@
 /** A box for wavelengths: read when it is left, and what cannot be read is said below it. */
 
-import { ExpressionError } from "../numbers/entry.js";
+import { ExpressionError } from "../numbers/expression.js";
 import { h, setText } from "../page/dom.js";
 import { LinkError } from "../state/state.js";
 

@@ -3,7 +3,7 @@
  * against the spectrum integrated at every angle.
  */
 
-import { angleAxis } from "../curves/traces.js";
+import { angleAxis } from "../curves/reading.js";
 import { plain, significant } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { html, render } from "../page/lit.js";

@@ -1,6 +1,6 @@
 /** The name of the chosen preset, what it is, and where to go with it. */
 
-import { stretch } from "../numbers/format.js";
+import { stretch } from "../media/wavelength.js";
 import { h } from "../page/dom.js";
 import { addressOf, clicked } from "../page/links.js";
 import { html, render } from "../page/lit.js";

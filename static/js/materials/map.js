@@ -1,7 +1,7 @@
 /** Reflectance over angle and wavelength. */
 
 import { createChoices } from "../controls/panel.js";
-import { angleAxis } from "../curves/traces.js";
+import { angleAxis } from "../curves/reading.js";
 import { inDegrees, inUnit, significant } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { createHeatmap } from "../plot/heatmap.js";

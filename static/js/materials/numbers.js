@@ -1,8 +1,9 @@
 /** Constants and colors of the chosen preset: shown with six digits, copied in full. */
 
 import { createChoices } from "../controls/panel.js";
-import { ExpressionError, evaluate } from "../numbers/entry.js";
-import { plain, six, stretch } from "../numbers/format.js";
+import { stretch } from "../media/wavelength.js";
+import { ExpressionError, evaluate } from "../numbers/expression.js";
+import { plain, six } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
 import { copying } from "../page/exports.js";
 import { html, render } from "../page/lit.js";
@@ -24,18 +25,23 @@ const COLORS = /** @type {const} */ ([
 ]);
 const CHANNELS = ["R", "G", "B"];
 
-/** @param {number | null} v */
+/** @param {number | null | undefined} v undefined before there is an answer */
 function written(v) {
+  if (v === undefined) return "";
   if (v === null) return "not given";
   return v !== 1 && Math.abs(v - 1) < 0.01 ? plain(v, 9) : six(v);
 }
 
-/** What was done about a color outside sRGB. @param {any} detail */
+/** What was done about a color outside sRGB, and where it is from. @param {any} detail */
 function policyOf({ display: { gamut, in_gamut }, color }) {
   const most = Math.max(...color.F0);
-  if (gamut === "scaled" && most > 1)
-    return `scaled: divided by the largest channel, ${plain(most, 6)}`;
-  return `${gamut}: ${in_gamut ? "within sRGB anyway" : POLICIES[gamut]}`;
+  const done =
+    gamut === "scaled" && most > 1
+      ? `divided by the largest channel, ${plain(most, 6)}`
+      : in_gamut
+        ? "within sRGB anyway"
+        : POLICIES[gamut];
+  return `${gamut}: ${done}. CIE 1931, ${color.illuminant}; luminance Y = ${six(color.luminance)}.`;
 }
 
 /** @param {Pick<ViewContext, 'actions' | 'say'>} context */
@@ -66,62 +72,67 @@ export function createNumbers({ actions, say }) {
   const colors = COLORS.map(([name, sign, note]) => ({ name, sign: symbol(sign), note }));
   const element = h("div", { class: "material-numbers" });
 
-  /** @param {string} name that is read out @param {number | string | null} value in full @param {string} text */
+  /** @param {string} name that is read out @param {number | string | null | undefined} value in full @param {string} text */
   const number = (name, value, text) => html`<button type="button" class="number"
     ?data-none=${value === null} aria-label="${name}: ${text}, copy"
     @click=${copying(() => String(value ?? "none"), say, `${name} copied`)}>${text}</button>`;
 
   /** @param {typeof colors[number]} color @param {number[]} rgb */
-  const row = ({ name, sign, note }, rgb) => html`<tr>
+  const row = ({ name, sign, note }, rgb = []) => html`<tr>
     <th scope="row">${sign}<span class="of"> ${note}</span></th>
-    ${CHANNELS.map((channel, i) => html`<td>${number(`${name} ${channel}`, rgb[i] ?? 0, six(rgb[i]))}</td>`)}
+    ${CHANNELS.map((channel, i) => html`<td>${number(`${name} ${channel}`, rgb[i], rgb.length ? six(rgb[i]) : "")}</td>`)}
     <td class="copy-cell">
       <button type="button" class="quiet copy" aria-label="Copy ${name}, three numbers"
         @click=${copying(() => rgb.join(", "), say, `${name} copied`)}>copy</button>
     </td>
   </tr>`;
 
+  /** @param {any} detail the answer of /materials/{id}, null before there is one */
+  function draw(detail) {
+    const { constants: known = {}, display = {}, kind = "spectrum" } = detail ?? {};
+    const nm = known.wavelength_nm;
+    const alone = nm ? `${plain(nm)} nm alone` : "no wavelength stated";
+    render(
+      html`<section class="constants" aria-label="Constants at one wavelength">
+          <div class="at">
+            <label for="at-nm"><h2>At one wavelength</h2></label>
+            <span class="at-box">${lambda} ${at.input} <span>${kind === "spectrum" ? "nm" : alone}</span></span>
+          </div>
+          ${at.error}
+          <dl class="numbers">
+            ${constants.map(({ name, sign }) => html`<div><dt>${sign}</dt><dd>${number(name, known[name], written(known[name]))}</dd></div>`)}
+          </dl>
+        </section>
+        <section class="color-numbers" aria-label="Color">
+          <div class="color-head">
+            <h2>Linear sRGB</h2>
+            <span class="hex">${swatch(display.hex, "large")}
+              ${number("sRGB", display.hex, detail ? (display.hex ?? "outside sRGB") : "")}</span>
+          </div>
+          <table class="colors">
+            <caption class="hidden">Colors in linear sRGB</caption>
+            <thead><tr><td></td>${CHANNELS.map((c) => html`<th scope="col">${c}</th>`)}<td></td></tr></thead>
+            <tbody>${colors.map((one) => row(one, display[one.name]))}</tbody>
+          </table>
+          <div class="color-choices">${choices.elements.gamut} ${choices.elements.illuminant}</div>
+          <p class="hint">${detail && policyOf(detail)}</p>
+        </section>`,
+      element,
+    );
+  }
+  draw(null); // what is wrong with a wavelength can be said before
+
   return {
     element,
     /** @param {State} state */
     choices: (state) => choices.update(state),
-    /** @param {any} detail the answer of /materials/{id} @param {State} state */
+    /** @param {any} detail @param {State} state */
     update(detail, state) {
-      const { constants: known, display, color } = detail;
-      const nm = known.wavelength_nm;
-      const asked = state.at_nm ?? nm;
-      const spectral = detail.kind === "spectrum";
+      const asked = state.at_nm ?? detail.constants.wavelength_nm;
       at.update(asked === null ? "" : plain(asked, 8));
-      at.input.hidden = !spectral;
+      at.input.hidden = detail.kind !== "spectrum";
       at.input.title = detail.n_range_nm ? `known for ${stretch(detail.n_range_nm)}` : "";
-      const alone = nm === null ? "no wavelength stated" : `${plain(nm)} nm alone`;
-      render(
-        html`<section class="constants" aria-label="Constants at one wavelength">
-            <div class="at">
-              <label for="at-nm"><h2>At one wavelength</h2></label>
-              <span class="at-box">${lambda} ${at.input} <span>${spectral ? "nm" : alone}</span></span>
-            </div>
-            ${at.error}
-            <dl class="numbers">
-              ${constants.map(({ name, sign }) => html`<div><dt>${sign}</dt><dd>${number(name, known[name], written(known[name]))}</dd></div>`)}
-            </dl>
-          </section>
-          <section class="color-numbers" aria-label="Color">
-            <div class="color-head">
-              <h2>Linear sRGB</h2>
-              <span class="hex">${swatch(display.hex, "large")}
-                ${number("sRGB", display.hex, display.hex ?? "outside sRGB")}</span>
-            </div>
-            <table class="colors">
-              <caption class="hidden">Colors in linear sRGB</caption>
-              <thead><tr><td></td>${CHANNELS.map((c) => html`<th scope="col">${c}</th>`)}<td></td></tr></thead>
-              <tbody>${colors.map((one) => row(one, display[one.name]))}</tbody>
-            </table>
-            <div class="color-choices">${choices.elements.gamut} ${choices.elements.illuminant}</div>
-            <p class="hint">${policyOf(detail)}. CIE 1931, ${color.illuminant}; luminance Y = ${six(color.luminance)}.</p>
-          </section>`,
-        element,
-      );
+      draw(detail);
     },
     /** @param {{title: string, lines: string[]} | undefined} problem */
     problem(problem) {

@@ -4,7 +4,7 @@ import { h, setText } from "../page/dom.js";
 import { createDataTables, createExports } from "../page/exports.js";
 
 /**
- * @typedef {import('../page/exports.js').Published & {exportAs: (format: 'png' | 'svg' | 'csv') => Promise<Blob>, table: () => HTMLTableElement,
+ * @typedef {Published & {exportAs: (format: 'png' | 'svg' | 'csv') => Promise<Blob>, table: () => HTMLTableElement,
  *   theme: () => void, destroy: () => void}} Figure
  * @typedef {Pick<ViewContext, 'catalog' | 'actions' | 'save'> & {parent: HTMLElement, now: () => State}} FigureContext
  *   where the figures stand, in the document because plots read colors and sizes from it, and the state with the

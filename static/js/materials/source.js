@@ -1,6 +1,7 @@
 /** Where the numbers come from, and how far other measurements lie from them. */
 
-import { plain, stretch } from "../numbers/format.js";
+import { stretch } from "../media/wavelength.js";
+import { plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { copying } from "../page/exports.js";
 import { html, nothing, render } from "../page/lit.js";

@@ -1,7 +1,7 @@
 /** n and k over the wavelength, with what rival measurements span, or the reflectance that follows. */
 
 import { createChoice, createChoices } from "../controls/panel.js";
-import { stretch } from "../numbers/format.js";
+import { stretch } from "../media/wavelength.js";
 import { h } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
 import { known, spanned, valueAt, within } from "./band.js";

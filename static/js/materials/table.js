@@ -1,8 +1,8 @@
 /** The table of presets: one stop for the Tab key, arrows walk through it, the row walked to is shown. */
 
-import { stretch } from "../numbers/format.js";
+import { stretch } from "../media/wavelength.js";
 import { h } from "../page/dom.js";
-import { html, nothing, render } from "../page/lit.js";
+import { html, noChange, nothing, render } from "../page/lit.js";
 import { COLUMNS, sortedPresets } from "./columns.js";
 
 /** @typedef {import('./columns.js').Preset} Preset */
@@ -27,6 +27,8 @@ export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
   let shown = [];
   let sort = { by: "match", order: "up" };
   let chosen = "";
+  /** What each row was drawn of. @type {unknown[][]} */
+  const rows = [];
   /** What the table was drawn of. @type {readonly unknown[]} */
   let drawn = [];
 
@@ -55,9 +57,13 @@ export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
     </th>`;
   }
 
-  /** @param {Preset} preset @param {string} stop */
-  function row(preset, stop) {
+  /** @param {Preset} preset @param {number} index @param {string} stop */
+  function row(preset, index, stop) {
     const { id, name, category, kind, n_range_nm } = preset;
+    const of = [preset, id === chosen, id === stop];
+    // Two hundred rows are walked through at every press of a key: those that are the same stay.
+    if (of.every((one, i) => one === rows[index]?.[i])) return noChange;
+    rows[index] = of;
     const known = kind === "single" || !n_range_nm ? "one index" : stretch(n_range_nm);
     return html`<tr data-id=${id} ?data-chosen=${id === chosen}>
       <th scope="row">
@@ -73,11 +79,14 @@ export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
 
   /** @param {string} stop the row that the Tab key goes to */
   function draw(stop) {
+    rows.length = Math.min(rows.length, shown.length);
     render(
       html`<table class="presets">
         <caption class="hidden">Materials</caption>
         <thead><tr>${COLUMNS.map(heading)}</tr></thead>
-        <tbody @click=${pick} @keydown=${walkBy} @keyup=${settle}>${shown.map((one) => row(one, stop))}</tbody>
+        <tbody @click=${pick} @keydown=${walkBy} @keyup=${settle}>
+          ${shown.map((one, index) => row(one, index, stop))}
+        </tbody>
       </table>`,
       element,
     );

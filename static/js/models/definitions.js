@@ -12,13 +12,9 @@ export function createDefinitions(
   models,
   typeset,
   describe,
-  element = h(
-    "details",
-    { class: "definitions" },
-    h("summary", {}, "Formulas and sources of these curves"),
-  ),
+  element = h("details.definitions", h("summary", "Formulas and sources of these curves")),
 ) {
-  const list = h("div", { class: "definition-list" });
+  const list = h("div.definition-list");
   element.append(list);
   /** @type {string[]} */
   let wanted = [];
@@ -53,8 +49,7 @@ export function createDefinitions(
  */
 async function fillDefinitions(list, models, typeset) {
   const entries = models.map((model) => {
-    const formula = h("div", {
-      class: "formula",
+    const formula = h("div.formula", {
       tabindex: "0",
       role: "group",
       "aria-label": `Formula of ${model.title}`,
@@ -64,11 +59,10 @@ async function fillDefinitions(list, models, typeset) {
       formula,
       block: h(
         "section",
-        {},
-        h("h3", {}, model.title),
+        h("h3", model.title),
         formula,
-        h("p", {}, model.validity),
-        h("p", { class: "source" }, model.reference),
+        h("p", model.validity),
+        h("p.source", model.reference),
       ),
     };
   });

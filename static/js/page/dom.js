@@ -1,29 +1,30 @@
 /** Building elements without markup strings. */
 
-/**
- * @typedef {Node | string | null | undefined | false} Child
- */
+/** Attributes, which may be left out, are a plain object. @param {unknown} given @returns {given is Record<string, unknown>} */
+const isAttributes = (given) =>
+  typeof given === "object" && given !== null && !(given instanceof Node);
 
 /**
- * @template {keyof HTMLElementTagNameMap} Tag
- * @param {Tag} tag
- * @param {Record<string, unknown>} [attributes] attributes; `on…` functions become listeners,
- *   true an empty attribute, false, null and undefined none
- * @param {...Child} children
- * @returns {HTMLElementTagNameMap[Tag]}
+ * An element: `h("p.hint", "text")`, `h("button", { type: "button", onclick }, "go")`. Attributes that
+ * are functions become listeners, true an empty attribute, false, null and undefined none; children
+ * that are one of the last three are left out.
+ * @type {MakeElement}
  */
-export function h(tag, attributes = {}, ...children) {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (typeof value === "function") {
-      element.addEventListener(name.slice(2), /** @type {EventListener} */ (value));
-    } else if (value !== false && value !== null && value !== undefined) {
-      element.setAttribute(name, value === true ? "" : String(value));
-    }
+export const h = (/** @type {string} */ tag, /** @type {unknown[]} */ ...given) => {
+  const [name = "", ...classes] = tag.split(".");
+  const element = document.createElement(name);
+  if (classes.length) element.className = classes.join(" ");
+  const attributes = isAttributes(given[0]) ? given.shift() : {};
+  for (const [key, value] of Object.entries(/** @type {object} */ (attributes))) {
+    if (typeof value === "function") element.addEventListener(key.slice(2), value);
+    else if (value !== false && value !== null && value !== undefined)
+      element.setAttribute(key, value === true ? "" : String(value));
   }
-  element.append(...children.filter((c) => c !== null && c !== undefined && c !== false));
-  return element;
-}
+  element.append(
+    .../** @type {Child[]} */ (given).filter((c) => c !== null && c !== undefined && c !== false),
+  );
+  return /** @type {any} */ (element);
+};
 
 /** @param {HTMLElement} element @param {string} text set only if different, to spare the layout */
 export function setText(element, text) {
@@ -62,5 +63,5 @@ export function symbol(latex) {
   const match = /^\\?([A-Za-z]+)(?:_\{?([A-Za-z0-9]+)\}?)?$/.exec(latex);
   const base = match?.[1] ?? latex;
   const index = match?.[2];
-  return h("var", { class: "symbol" }, GREEK[base] ?? base, index ? h("sub", {}, index) : null);
+  return h("var.symbol", GREEK[base] ?? base, index ? h("sub", index) : null);
 }

@@ -3,15 +3,6 @@
 import { h } from "./dom.js";
 
 /**
- * @typedef {'png' | 'svg' | 'csv'} Format
- * @typedef {import("../publish/caption.js").Behind} Behind
- * @typedef {object} Published a figure that can be drawn for a publication
- * @property {(format: 'png' | 'svg', publication: Publication) => Promise<Blob>} exportAs
- * @property {() => {name: string, ids: readonly string[]}} about its title, and what is drawn in it
- * @property {number} [beside] px of its width that are not the plot's, such as a key's
- */
-
-/**
  * Save one file, or several that are told apart by their numbers.
  * @param {(name: string, blob: Blob) => void} save
  * @param {readonly Blob[]} blobs
@@ -23,30 +14,19 @@ export function saveEach(save, blobs, name) {
   });
 }
 
-/**
- * @param {object} options
- * @param {string} options.what such as "the curves"
- * @param {() => string} options.name of the file, without ending
- * @param {(format: Format) => Promise<Blob | Blob[]>} options.make
- * @param {(name: string, blob: Blob) => void} options.save
- * @param {{figures: () => Published[], call: string, behind: () => Behind}} [options.print]
- *   what can be set up for a publication, a part of the REST call on the page that it shows, and where
- *   its indices are from
- */
+/** @param {ExportsOptions} options */
 export function createExports({ what, name, make, save, print }) {
-  /** @param {Format} kind */
+  /** @param {'png' | 'svg' | 'csv'} kind */
   async function take(kind) {
     saveEach(save, [await make(kind)].flat(), (part) => `${name()}${part}.${kind}`);
   }
   return h(
-    "p",
-    { class: "exports" },
+    "p.exports",
     .../** @type {const} */ (["png", "svg", "csv"]).map((kind) =>
       h(
-        "button",
+        "button.quiet",
         {
           type: "button",
-          class: "quiet",
           "aria-label": `Save ${what} as ${kind.toUpperCase()}`,
           onclick: () => take(kind),
         },
@@ -55,10 +35,9 @@ export function createExports({ what, name, make, save, print }) {
     ),
     print &&
       h(
-        "button",
+        "button.quiet",
         {
           type: "button",
-          class: "quiet",
           "aria-label": `For print… (${what.replace(/^the /u, "")})`,
           onclick: async () => {
             const { publish } = await import("../publish/dialog.js");
@@ -122,12 +101,11 @@ export function copying(text, say, done, refused = "Copying is not allowed here"
 export function createDataTables(summary, named) {
   const places = Object.entries(named).map(([name, make]) => ({
     make,
-    host: h("div", { class: "plot-table", tabindex: "0", role: "region", "aria-label": name }),
+    host: h("div.plot-table", { tabindex: "0", role: "region", "aria-label": name }),
   }));
   const element = h(
-    "details",
-    { class: "definitions" },
-    h("summary", {}, summary),
+    "details.definitions",
+    h("summary", summary),
     ...places.map((place) => place.host),
   );
   function fill() {

@@ -2,6 +2,7 @@
 
 import { matching } from "../controls/picker.js";
 import { h } from "./dom.js";
+import { copyText } from "./exports.js";
 import { addressOf, follow } from "./links.js";
 import { loadStyle } from "./style.js";
 
@@ -16,14 +17,30 @@ import { loadStyle } from "./style.js";
  * @property {() => Promise<void>} describeMedia
  * @property {() => Promise<{formulas: {id: string, title: string}[]}>} formulas
  * @property {readonly {name: string, note: string, run: () => void}[]} actions
+ * @property {(id: string, notice: {title: string, lines: string[]}) => void} notice
  */
 
 const MOST_SHOWN = 60;
 /** Views whose second medium is the one that is found; elsewhere it is opened among the materials. */
 const WITH_MEDIUM = ["explore", "compare"];
 
+/** @param {string} text */
+const quoted = (text) =>
+  text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
+
+/** Copy the HTML that shows a view, as it is now, in another page. @param {FinderOptions["notice"]} notice */
+async function copyEmbed(notice) {
+  const address = new URL(location.href);
+  address.hash = "";
+  address.searchParams.set("embed", "1");
+  const code = `<iframe src="${quoted(address.href)}" title="${quoted(document.title)}" width="100%" height="640" style="border: 0"></iframe>`;
+  const done = await copyText(code);
+  const title = done ? "Copied: the HTML that embeds this view" : "Copying is not allowed here";
+  notice("embed", { title, lines: [code] });
+}
+
 /** @param {FinderOptions} options @returns {Entry[]} */
-export function entries({ catalog, views, view, set, actions }) {
+export function entries({ catalog, views, view, set, actions, notice }) {
   const here = views.find((one) => one.id === view() && WITH_MEDIUM.includes(one.id));
   return [
     ...views.map(({ id, title }) => ({
@@ -33,7 +50,14 @@ export function entries({ catalog, views, view, set, actions }) {
       does: "view",
       run: () => set({ view: id }),
     })),
-    ...actions.map(({ name, note, run }) => ({
+    ...[
+      ...actions,
+      {
+        name: "Copy the HTML that embeds this view",
+        note: "iframe",
+        run: () => copyEmbed(notice),
+      },
+    ].map(({ name, note, run }) => ({
       id: name,
       name,
       category: "action",
@@ -74,10 +98,9 @@ export function formulaEntries(formulas) {
 /** @param {FinderOptions} options */
 export async function openFinder(options) {
   await loadStyle("css/dialog.css");
-  const input = h("input", {
+  const input = h("input.finder-box", {
     type: "text",
     role: "combobox",
-    class: "finder-box",
     autocomplete: "off",
     spellcheck: "false",
     placeholder: "gold, schlick, Brewster, albedo …",
@@ -87,14 +110,8 @@ export async function openFinder(options) {
     "aria-controls": "finder-list",
   });
   const list = h("ul", { id: "finder-list", role: "listbox", "aria-label": "Found" });
-  const none = h("p", { class: "finder-none", role: "status" });
-  const dialog = h(
-    "dialog",
-    { class: "dialog finder", "aria-label": "Find anything" },
-    input,
-    list,
-    none,
-  );
+  const none = h("p.finder-none", { role: "status" });
+  const dialog = h("dialog.dialog.finder", { "aria-label": "Find anything" }, input, list, none);
   let all = entries(options);
   /** @type {Entry[]} */
   let found = [];
@@ -108,8 +125,8 @@ export async function openFinder(options) {
         h(
           "li",
           { id: `found-${index}`, role: "option", "aria-selected": "false", "data-index": index },
-          h("span", {}, entry.name),
-          h("span", { class: "note" }, entry.does),
+          h("span", entry.name),
+          h("span.note", entry.does),
         ),
       ),
     );

@@ -45,26 +45,19 @@ const KEYS = [
 
 export async function openHelp() {
   await loadStyle("css/dialog.css");
-  const close = h("button", { type: "button", class: "quiet", autofocus: true }, "Close");
+  const close = h("button.quiet", { type: "button", autofocus: true }, "Close");
   const dialog = h(
-    "dialog",
-    { class: "dialog help", "aria-labelledby": "help-title" },
-    h("header", {}, h("h2", { id: "help-title" }, "Keys"), close),
+    "dialog.dialog.help",
+    { "aria-labelledby": "help-title" },
+    h("header", h("h2", { id: "help-title" }, "Keys"), close),
     ...KEYS.map(([title, keys]) =>
       h(
         "section",
-        {},
-        h("h3", {}, title),
+        h("h3", title),
         h(
           "dl",
-          {},
           ...keys.map(([names, does]) =>
-            h(
-              "div",
-              {},
-              h("dt", {}, ...names.map((name) => h("kbd", {}, name))),
-              h("dd", {}, does),
-            ),
+            h("div", h("dt", ...names.map((name) => h("kbd", name))), h("dd", does)),
           ),
         ),
       ),

@@ -7,7 +7,7 @@ import { h } from "./dom.js";
  * @returns {HTMLElement} the formula within a line
  */
 export function math(latex) {
-  const element = h("span", { class: "math" });
+  const element = h("span.math");
   void typeset(latex, element, { inline: true });
   return element;
 }
@@ -20,7 +20,7 @@ export function math(latex) {
 export function pieces(text) {
   return text.split(/\$([^$]+)\$/).flatMap((part, index) => {
     if (index % 2) return [math(part)];
-    return part.split(/\*\*([^*]+)\*\*/).map((word, i) => (i % 2 ? h("dfn", {}, word) : word));
+    return part.split(/\*\*([^*]+)\*\*/).map((word, i) => (i % 2 ? h("dfn", word) : word));
   });
 }
 
@@ -41,14 +41,13 @@ export function words(text) {
  * @param {string} name what readers hear of it
  */
 export function display(latex, name) {
-  const element = h("div", {
-    class: "formula",
+  const element = h("div.formula", {
     tabindex: "0",
     role: "group",
     "aria-label": `Formula of ${name}`,
   });
   for (const part of latex.split(/,\\quad\s*/)) {
-    const line = h("div", { class: "equation" });
+    const line = h("div.equation");
     void typeset(part, line);
     element.append(line);
   }

@@ -1,17 +1,12 @@
-/** What stands around every view: tabs, theme, notices, the line that shows work, the footer. */
+/** What stands around every view: tabs, theme, notices, the line that shows work, the footer, the keys. */
 
 import { byId, h, setText } from "./dom.js";
-import { copyText, flash } from "./exports.js";
+import { copying } from "./exports.js";
 
 const NOTICEABLE = 250; // ms: work that is done sooner is not shown
 const THEMES = /** @type {const} */ (["auto", "light", "dark"]);
 
-/**
- * @param {object} options
- * @param {{id: string, title: string}[]} options.views
- * @param {(id: string) => void} options.onView
- * @param {() => void} options.onTheme
- */
+/** @param {ShellOptions} options */
 export function createShell({ views, onView, onTheme }) {
   const root = document.documentElement;
   const said = byId("said");
@@ -48,12 +43,10 @@ export function createShell({ views, onView, onTheme }) {
   });
   showTheme();
 
-  const copyLink = byId("copy-link");
-  copyLink.addEventListener("click", async () => {
-    const done = await copyText(location.href);
-    flash(copyLink, done);
-    say(done ? "Link copied" : "Copying is not allowed here");
-  });
+  byId("copy-link").addEventListener(
+    "click",
+    copying(() => location.href, say, "Link copied"),
+  );
 
   /** @param {string} text */
   function say(text) {
@@ -93,33 +86,25 @@ export function createShell({ views, onView, onTheme }) {
      * @param {string} id
      * @param {{title: string, lines?: string[], action?: {label: string, run: () => void}} | null} notice
      */
-    notice(id, notice) {
+    notice: function show(id, notice) {
       open.get(id)?.remove();
       open.delete(id);
       if (!notice) return;
       const close = h(
-        "button",
+        "button.quiet",
         {
           type: "button",
-          class: "quiet",
           "aria-label": "Dismiss",
-          onclick: () => this.notice(id, null),
+          onclick: () => show(id, null),
         },
         "×",
       );
       const { action } = notice;
       const element = h(
-        "div",
-        { class: "notice", role: "alert", "data-notice": id },
-        h(
-          "div",
-          {},
-          h("b", {}, notice.title),
-          ...(notice.lines ?? []).map((line) => h("p", {}, line)),
-        ),
-        action
-          ? h("button", { type: "button", class: "quiet", onclick: action.run }, action.label)
-          : null,
+        "div.notice",
+        { role: "alert", "data-notice": id },
+        h("div", h("b", notice.title), ...(notice.lines ?? []).map((line) => h("p", line))),
+        action ? h("button.quiet", { type: "button", onclick: action.run }, action.label) : null,
         close,
       );
       open.set(id, element);
@@ -152,28 +137,49 @@ export function createShell({ views, onView, onTheme }) {
 
   function callLine() {
     const code = h("code");
-    const button = h("button", { type: "button", class: "quiet" }, "copy");
-    button.setAttribute("aria-label", "Copy the address of this call");
-    button.addEventListener("click", async () => {
-      const path = (code.textContent ?? "").replace(/^GET \//, "");
-      const done = await copyText(new URL(path, document.baseURI).href);
-      flash(button, done);
-      say(done ? "Address copied" : "Copying is not allowed here");
-    });
-    return h("p", {}, code, button);
+    const address = () =>
+      new URL((code.textContent ?? "").replace(/^GET \//, ""), document.baseURI).href;
+    const label = "Copy the address of this call";
+    const onclick = copying(address, say, "Address copied");
+    return h(
+      "p",
+      code,
+      h("button.quiet", { type: "button", "aria-label": label, onclick }, "copy"),
+    );
   }
 }
 
+/**
+ * What stands in place of what cannot be shown.
+ * @param {string} title
+ * @param {readonly string[]} lines
+ * @param {() => void} again
+ */
+export function failure(title, lines, again) {
+  const element = h(
+    "section.failure",
+    { role: "alert" },
+    h("h2", title),
+    ...lines.map((line) => h("p", line)),
+    h(
+      "button",
+      {
+        type: "button",
+        onclick() {
+          element.remove();
+          again();
+        },
+      },
+      "Try again",
+    ),
+  );
+  return element;
+}
+
+/** In these a key writes. */
 const WRITTEN_IN = "input:not([type=range], [type=checkbox], [type=radio]), textarea, select";
 
-/**
- * @typedef {object} Orders
- * @property {() => void} find
- * @property {() => void} help
- * @property {() => void} undo
- * @property {() => void} redo
- * @param {Orders} orders
- */
+/** The keys that work everywhere. What they open is loaded when it is first asked for. @param {Orders} orders */
 export function listenForKeys(orders) {
   /** The box that holds something not yet taken over: its own undo comes first. @type {EventTarget | null} */
   let draft = null;

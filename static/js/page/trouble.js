@@ -35,9 +35,9 @@ export function createProblems(told) {
  * @param {() => void} onBack
  */
 export function createTrouble(label, onBack) {
-  const words = h("p", { class: "row-error" });
-  const back = h("button", { type: "button", class: "quiet", onclick: onBack }, label);
-  const element = h("div", { class: "trouble", role: "alert" }, words, back);
+  const words = h("p.row-error");
+  const back = h("button.quiet", { type: "button", onclick: onBack }, label);
+  const element = h("div.trouble", { role: "alert" }, words, back);
   back.hidden = true;
   return {
     element,

@@ -1,12 +1,10 @@
 /** A plot as a file that stands alone: title, names, marks and background included. */
 
 import { advances, createMeasure, plainText, plotlyText } from "../draw/svg.js";
-import { arrange } from "./axes.js";
-import { bandShapes, CONFIG, plotlyLayout, plotlyTraces } from "./figure.js";
+import { arrange, bandShapes, CONFIG, plotlyLayout, plotlyTraces } from "./figure.js";
 import { fontFaces, rasterized, withStyle } from "./image.js";
-import { placeLabels, placeMarkNames } from "./labels.js";
 import { keyRows } from "./legend.js";
-import { MOST_LABELS } from "./overlay.js";
+import { MOST_LABELS, placeLabels, placeMarkNames } from "./overlay.js";
 import { drawingSize, onGround, onPaper, withDensity, wrapped } from "./publication.js";
 
 const HEADER = 32;
@@ -201,21 +199,32 @@ export function exportFigure({
  */
 export function exportPlot(element, { at, size: shown, ...picture }, format, publication) {
   const still = picture.marks.filter((mark) => mark.kind !== "current");
-  if (publication) {
+  if (publication)
     // It has no pointer and no numbers that would say what the marker's line stands for.
-    const { mmPerPx, ...size } = drawingSize(publication);
-    const { ground, caption } = publication;
-    const bare = { ...picture, marks: still, title: "", caption, size, padding: PRINT_PADDING };
-    return onGround(element, ground, (theme) =>
-      imageOf(exportFigure({ ...bare, theme }), format, mmPerPx),
+    return published(element, publication, format, (how) =>
+      exportFigure({ ...picture, ...how, marks: still, title: "", padding: PRINT_PADDING }),
     );
-  }
   const current = { x: at ?? 0, label: "", kind: /** @type {const} */ ("current") };
   const marks = at === null ? picture.marks : [...still, current];
   const { width, height } = shown ?? { width: 960, height: 600 };
   const wide = Math.min(Math.max(width, WIDTH.least), WIDTH.most);
   const size = { width: Math.round(wide), height: Math.round((wide * height) / width) + 40 };
   return imageOf(exportFigure({ ...picture, marks, size }), format);
+}
+
+/**
+ * A figure drawn for a publication.
+ * @param {HTMLElement} element
+ * @param {Publication} publication
+ * @param {"png" | "svg"} format
+ * @param {(how: {size: Size, theme: Theme, caption: readonly string[]}) => Plotly.Figure} figure
+ */
+export function published(element, publication, format, figure) {
+  const { mmPerPx, ...size } = drawingSize(publication);
+  const { ground, caption } = publication;
+  return onGround(element, ground, (theme) =>
+    imageOf(figure({ size, theme, caption }), format, mmPerPx),
+  );
 }
 
 /**

@@ -1,6 +1,260 @@
-/** A plot as Plotly's data and layout; on the page and for export alike. */
+/**
+ * What plots and maps stand on: the page's theme as plain values, Plotly, and news of their size; and
+ * a plot as Plotly's data and layout, on the page and for export alike: ranges, ticks, frame, curves.
+ */
 
 import { plotlyText } from "../draw/svg.js";
+import { plain } from "../numbers/format.js";
+import { h } from "../page/dom.js";
+
+/** A line at the very end of a range would lose half its width to the frame's edge. */
+const EDGE = 3;
+const NARROW = 420;
+const X_SPACING = 40;
+const Y_SPACING = 44;
+
+/**
+ * @param {Axis} axis
+ * @param {readonly Trace[]} traces
+ * @returns {Span}
+ */
+export function axisRange(axis, traces) {
+  const [low, high] = axis.range ?? roundRange(traces.map((trace) => trace.y));
+  return [low ?? 0, high ?? 1];
+}
+
+/**
+ * @param {Span} range
+ * @param {number} length px
+ * @returns {Span}
+ */
+function padded([low, high], length) {
+  const more = ((high - low) / Math.max(length - 2 * EDGE, 1)) * EDGE;
+  return [low - more, high + more];
+}
+
+/** The size of what stands at the axes, px. @param {number} width of the plot @param {number} [unit] */
+export function textSize(width, unit = 1) {
+  return (width < NARROW * unit ? 11 : 12) * unit;
+}
+
+/** @param {ArrangeOptions} task @returns {Arrangement} */
+export function arrange({
+  size,
+  axes,
+  traces,
+  measure,
+  marksRow,
+  unit = 1,
+  header = 0,
+  padding = 0,
+}) {
+  const narrow = size.width < NARROW * unit;
+  const fontSize = textSize(size.width, unit);
+  const second = traces.some((trace) => trace.axis === "y2") ? axes.y2 : null;
+  const top = padding + header + (marksRow ? 42 : 26) * unit;
+  const bottom = padding + (axes.x.title ? 50 : 28) * unit;
+  const height = Math.max(size.height - top - bottom, 20);
+
+  const yRange = axisRange(
+    axes.y,
+    traces.filter((trace) => trace.axis !== "y2"),
+  );
+  const y2Range =
+    second &&
+    axisRange(
+      second,
+      traces.filter((trace) => trace.axis === "y2"),
+    );
+  const yTicks = axisTicks(
+    axes.y,
+    yRange,
+    height,
+    Math.min(Y_SPACING * unit, Math.max(26 * unit, height / 6)),
+  );
+  const y2Ticks = second && y2Range ? axisTicks(second, y2Range, height, Y_SPACING * unit) : [];
+  /** @param {Tick[]} ticks */
+  const widest = (ticks) => Math.max(0, ...ticks.map((tick) => measure(tick.label)));
+  const left =
+    padding + Math.ceil(Math.max(widest(yTicks), (axes.y.labels ?? 0) * unit)) + 12 * unit;
+  const right = padding + (second ? Math.ceil(widest(y2Ticks)) + 14 * unit : 18 * unit);
+  const width = Math.max(size.width - left - right, 20);
+  const xRange = axisRange(axes.x, []);
+  const log = axes.x.scale === "log";
+  const xSpacing = (narrow ? X_SPACING - 6 : X_SPACING) * unit;
+  const xTicks =
+    log && !axes.x.ticks
+      ? logTicks(xRange, width, xSpacing)
+      : axisTicks(axes.x, xRange, width, xSpacing);
+  const [xLow, xHigh] = log ? xRange.map(Math.log10) : xRange;
+  const xSpan = (xHigh ?? 1) - (xLow ?? 0);
+
+  const frame = { x: left, y: top, width, height };
+  const ranges = {
+    x: xRange,
+    y: padded(yRange, height),
+    y2: y2Range && padded(y2Range, height),
+  };
+  return {
+    size,
+    margins: { left, right, top, bottom },
+    frame,
+    ranges,
+    ticks: { x: xTicks, y: yTicks, y2: y2Ticks },
+    fontSize,
+    unit,
+    padding,
+    marksRow,
+    xPixel: (value) =>
+      frame.x + (((log ? Math.log10(value) : value) - (xLow ?? 0)) / xSpan) * frame.width,
+    yPixel: (value, axis = "y") => {
+      const [low, high] = (axis === "y2" && ranges.y2) || ranges.y;
+      return frame.y + ((high - value) / (high - low)) * frame.height;
+    },
+    xValue: (pixel) => {
+      const value = (xLow ?? 0) + ((pixel - frame.x) / frame.width) * xSpan;
+      return log ? 10 ** value : value;
+    },
+  };
+}
+
+const DEGREE_STEPS = [15, 30, 45, 90, 180];
+
+/**
+ * The smallest of 1, 2, 5 times a power of ten that is at least `least`.
+ * @param {number} least
+ */
+export function roundStep(least) {
+  const power = 10 ** Math.floor(Math.log10(least));
+  const factor = [1, 2, 5, 10].find((candidate) => candidate * power >= least * (1 - 1e-9)) ?? 10;
+  return factor * power;
+}
+
+/**
+ * Multiples of a step inside a range.
+ * @param {number} low
+ * @param {number} high
+ * @param {number} step
+ */
+function multiples(low, high, step) {
+  const values = [];
+  const slack = step * 1e-9;
+  for (let n = Math.ceil((low - slack) / step); n * step <= high + slack; n += 1) {
+    values.push(Number((n * step).toPrecision(12)));
+  }
+  return values;
+}
+
+/**
+ * Every second, third … of the ticks, so that they stand at least `spacing` px apart.
+ * @param {Tick[]} ticks ascending, equally spaced
+ * @param {number} apart px from one to the next
+ * @param {number} spacing px
+ */
+function thinned(ticks, apart, spacing) {
+  const every = Math.max(1, Math.ceil(spacing / apart - 1e-9));
+  const last = ticks.length - 1;
+  // The ends of a range are kept where the count allows: 0, 30, 60, 90 and not 0, 45.
+  const kept = [every, every + 1, every + 2].find((n) => last % n === 0) ?? every;
+  return ticks.filter((_, index) => index % kept === 0);
+}
+
+/**
+ * Ticks of an axis of a length.
+ * @param {Pick<Axis, "ticks" | "unit" | "scale">} axis
+ * @param {readonly [number, number]} range
+ * @param {number} length px
+ * @param {number} spacing smallest distance of two ticks in px
+ * @returns {Tick[]}
+ */
+export function axisTicks(axis, range, length, spacing) {
+  const low = Math.min(...range);
+  const high = Math.max(...range);
+  const span = high - low || 1;
+  const suffix = axis.unit === "°" ? "°" : "";
+  if (axis.ticks) {
+    // an array has a method called `values`, so that is no way to tell them apart
+    const { values, text } =
+      "text" in axis.ticks
+        ? axis.ticks
+        : { values: axis.ticks, text: /** @type {string[]} */ ([]) };
+    const given = values.map((value, index) => ({
+      value,
+      label: text[index] ?? plain(value, 12) + suffix,
+    }));
+    const place = axis.scale === "log" ? Math.log10 : Number;
+    const whole = place(high) - place(low) || 1;
+    const apart = (Math.abs(place(values[1] ?? high) - place(values[0] ?? low)) / whole) * length;
+    return thinned(given, apart, spacing);
+  }
+  const least = (spacing / Math.max(length, 1)) * span;
+  const step =
+    (suffix && span >= 45 && DEGREE_STEPS.find((candidate) => candidate >= least * (1 - 1e-9))) ||
+    roundStep(least);
+  return multiples(low, high, step).map((value) => ({ value, label: plain(value, 12) + suffix }));
+}
+
+/**
+ * Ticks of a logarithmic axis: 1, 2 and 5 of each decade, or 1 alone, or every second decade ...
+ * @param {readonly [number, number]} range
+ * @param {number} length px
+ * @param {number} spacing smallest distance of two ticks in px
+ * @returns {Tick[]}
+ */
+export function logTicks(range, length, spacing) {
+  const [low, high] = [Math.min(...range), Math.max(...range)];
+  const decades = Math.log10(high / low) || 1;
+  const decade = length / decades;
+  /** @param {readonly number[]} factors @param {number} every */
+  const at = (factors, every) => {
+    const values = [];
+    const first = Math.floor(Math.log10(low));
+    for (let power = first; power <= Math.log10(high); power += 1) {
+      if (power % every !== 0) continue;
+      for (const factor of factors) {
+        const value = Number((factor * 10 ** power).toPrecision(6));
+        if (value >= low * (1 - 1e-9) && value <= high * (1 + 1e-9)) values.push(value);
+      }
+    }
+    return values;
+  };
+  const sets = [
+    { factors: [1, 2, 3, 4, 5, 6, 7, 8, 9], apart: Math.log10(10 / 9) },
+    { factors: [1, 2, 3, 5, 7], apart: Math.log10(7 / 5) },
+    { factors: [1, 2, 5], apart: Math.log10(2) },
+    { factors: [1, 3], apart: Math.log10(3) },
+  ];
+  const dense = sets.find(({ apart }) => apart * decade >= spacing);
+  const every = dense ? 1 : Math.max(1, Math.ceil(spacing / decade - 1e-9));
+  return at(dense?.factors ?? [1], every).map((value) => ({ value, label: plain(value, 12) }));
+}
+
+/**
+ * A range that holds all values and ends at round numbers.
+ * @param {Iterable<readonly (number | null)[]>} series
+ * @returns {[number, number]}
+ */
+export function roundRange(series) {
+  let low = Number.POSITIVE_INFINITY;
+  let high = Number.NEGATIVE_INFINITY;
+  for (const values of series) {
+    for (const value of values) {
+      if (value === null || !Number.isFinite(value)) continue;
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  if (low > high) return [0, 1];
+  if (low === high) {
+    const around = Math.abs(low) || 1;
+    return low === 0 ? [0, 1] : [low - around / 2, high + around / 2];
+  }
+  const step = roundStep((high - low) / 8);
+  return [
+    Number((Math.floor(low / step + 1e-9) * step).toPrecision(12)),
+    Number((Math.ceil(high / step - 1e-9) * step).toPrecision(12)),
+  ];
+}
 
 /** Nothing of a plot leaves the page, and what can be done with it stands beside it, not on it. */
 export const CONFIG = Object.freeze({
@@ -217,12 +471,6 @@ export function plotlyLayout(axes, arrangement, theme) {
 const FRAMES_AWAY = 20;
 
 /**
- * @typedef {object} PixelAxis
- * @property {(value: number) => number} l2p
- * @property {number} _length
- */
-
-/**
  * Path of a curve with gaps at `null`, or `null` itself when Plotly would clip it.
  *
  * Plotly makes one path element of each piece between gaps. Pieces are joined here with a new `M`,
@@ -331,6 +579,106 @@ export function createFastPath(canvas) {
         for (const other of line.rest) other.removeAttribute("d");
       }
       return true;
+    },
+  };
+}
+
+/** The page's text at a desk, px; every size below is given for it. */
+const BASE = 14;
+
+/**
+ * @param {HTMLElement} element
+ * @returns {Theme}
+ */
+export function readTheme(element) {
+  const style = getComputedStyle(element);
+  const root = Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
+  /** @param {string} property @param {string} otherwise */
+  const read = (property, otherwise) => style.getPropertyValue(property).trim() || otherwise;
+  const ink = read("--ink", "#14181f");
+  return {
+    ink,
+    paper: read("--paper", "#ffffff"),
+    panel: read("--panel", "#ffffff"),
+    muted: read("--muted", "#5a6472"),
+    rule: read("--rule", "#e3e5e8"),
+    accent: read("--accent", "#2456c8"),
+    unit: root > 0 ? root / BASE : 1,
+    family: style.fontFamily || "sans-serif",
+    symbolFamily: read("--serif", "serif"),
+    color: (property) => read(property, ink),
+  };
+}
+
+/** @returns {Promise<Plotly.Library>} the library, once its script has run */
+export async function library() {
+  if (window.Plotly) return window.Plotly;
+  const script = document.querySelector('script[src*="plotly"]');
+  if (!script) throw new Error("Plotly's script is not on the page");
+  await new Promise((resolve, reject) => {
+    script.addEventListener("load", resolve, { once: true });
+    script.addEventListener("error", () => reject(new Error("Plotly could not be loaded")), {
+      once: true,
+    });
+  });
+  return library();
+}
+
+/** The smallest area that is worth drawing into; a hidden one has no size. */
+const SMALLEST = 40;
+
+/**
+ * Make a figure of an element: an area in it for Plotly to draw into, drawn anew when its size, its
+ * letters or its colors change.
+ * @param {HTMLElement} element
+ * @param {() => void} draw
+ */
+export function createHost(element, draw) {
+  element.classList.add("plot");
+  element.setAttribute("role", "figure");
+  /** @type {HTMLElement} */
+  const canvas = h("div.plot-canvas", { "aria-hidden": "true" });
+  const area = h("div.plot-area", canvas);
+  element.append(area);
+  let theme = readTheme(element);
+  /** @type {Size} */
+  let drawn = { width: 0, height: 0 };
+  let destroyed = false;
+  let waiting = 0;
+
+  function refresh() {
+    theme = readTheme(element); // letters grow with the window, too
+    draw();
+  }
+  function resize() {
+    cancelAnimationFrame(waiting);
+    waiting = requestAnimationFrame(() => {
+      if (area.clientWidth !== drawn.width || area.clientHeight !== drawn.height) refresh();
+    });
+  }
+  const observer = new ResizeObserver(resize);
+  observer.observe(area);
+  void document.fonts.ready.then(refresh);
+
+  return {
+    area,
+    canvas,
+    theme: () => theme,
+    /** What can be drawn into now. @returns {Size | null} */
+    size() {
+      const { clientWidth: width, clientHeight: height } = area;
+      if (destroyed || width < SMALLEST || height < SMALLEST) return null;
+      drawn = { width, height };
+      return drawn;
+    },
+    refresh,
+    resize,
+    destroy() {
+      destroyed = true;
+      cancelAnimationFrame(waiting);
+      observer.disconnect();
+      window.Plotly?.purge(canvas);
+      element.replaceChildren();
     },
   };
 }

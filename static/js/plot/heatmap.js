@@ -7,7 +7,7 @@
 
 import { createMeasure, plainText, put, px, show, svg } from "../draw/svg.js";
 import { plain } from "../numbers/format.js";
-import { arrange } from "./axes.js";
+import { h } from "../page/dom.js";
 import {
   contour,
   createCells,
@@ -18,13 +18,10 @@ import {
   scaleOf,
   stops,
 } from "./cells.js";
-import { captioned, imageOf, PRINT_PADDING } from "./export.js";
-import { CONFIG, plotlyLayout, unitSuffix } from "./figure.js";
-import { library, readTheme } from "./host.js";
-import { drawingSize, onGround } from "./publication.js";
+import { captioned, imageOf, PRINT_PADDING, published } from "./export.js";
+import { arrange, CONFIG, createHost, library, plotlyLayout, unitSuffix } from "./figure.js";
 import { gridCsv, gridTable } from "./table.js";
 
-const SMALLEST = 40;
 /** Beside an exported map, for the key of its colors, px. */
 const KEY_WIDTH = 110;
 
@@ -43,13 +40,12 @@ function reaches(z, [low, high]) {
 /** @param {HTMLElement} element @param {MapOptions} options */
 export function createHeatmap(element, options) {
   let { name, x: xAxis, y: yAxis, z: values, regions = [], ids = [] } = options;
-  element.classList.add("plot", "heatmap");
-  element.setAttribute("role", "figure");
-  const area = document.createElement("div");
-  area.className = "plot-area";
-  const canvas = document.createElement("div");
-  canvas.className = "plot-canvas";
-  canvas.setAttribute("aria-hidden", "true");
+  element.classList.add("heatmap");
+  const host = createHost(element, () => {
+    if (grid) placeKey();
+    void settle();
+  });
+  const { area, canvas } = host;
   const root = svg("svg", { class: "plot-overlay", "aria-hidden": "true", focusable: "false" });
   const line = svg("path", { class: "map-level" }, root);
   const lineCasing = svg("path", { class: "map-level-casing" }, root);
@@ -57,20 +53,12 @@ export function createHeatmap(element, options) {
   const outlines = createOutlines(root);
   const crossX = svg("line", { class: "plot-marker-line" }, root);
   const crossY = svg("line", { class: "plot-marker-line" }, root);
-  const handle = document.createElement("div");
-  handle.className = "map-handle";
-  handle.tabIndex = 0;
-  handle.setAttribute("role", "slider");
-  const tip = document.createElement("div");
-  tip.className = "map-tip";
-  tip.hidden = true;
-  tip.setAttribute("aria-hidden", "true");
-  const key = document.createElement("div");
-  key.className = "map-key";
-  area.append(canvas, root, handle, tip);
-  element.append(area, key);
+  const handle = h("div.map-handle", { tabindex: "0", role: "slider" });
+  const tip = h("div.map-tip", { hidden: true, "aria-hidden": "true" });
+  const key = h("div.map-key");
+  area.append(root, handle, tip);
+  element.append(key);
 
-  let theme = readTheme(element);
   /** @type {Grid | null} */
   let grid = null;
   /** @type {Arrangement | null} */
@@ -80,7 +68,6 @@ export function createHeatmap(element, options) {
   let current = { x: Number.NaN, y: Number.NaN };
   /** @type {{column: number, row: number} | null} the cell that the keyboard stands on, if it has left the current place */
   let probe = null;
-  let destroyed = false;
   const cells = createCells();
   let framed = ""; // what stands around the cells that Plotly has drawn
 
@@ -147,10 +134,10 @@ export function createHeatmap(element, options) {
     }
   }
 
-  const placeKey = () => drawKey(key, scale, values, theme.color);
+  const placeKey = () => drawKey(key, scale, values, host.theme().color);
 
   /** @param {Theme} [inks] */
-  function traces(inks = theme) {
+  function traces(inks = host.theme()) {
     return [
       {
         type: /** @type {const} */ ("heatmap"),
@@ -169,7 +156,7 @@ export function createHeatmap(element, options) {
   }
 
   /** @param {Arrangement} layout @param {Theme} [inks] */
-  function bareLayout(layout, inks = theme) {
+  function bareLayout(layout, inks = host.theme()) {
     const full = plotlyLayout(axes(), layout, inks);
     const still = { showgrid: false };
     return {
@@ -181,7 +168,7 @@ export function createHeatmap(element, options) {
   }
 
   /** @param {{width: number, height: number}} size @param {{header?: number, padding?: number}} [around] @param {Theme} [inks] */
-  function arranged(size, around = {}, inks = theme) {
+  function arranged(size, around = {}, inks = host.theme()) {
     const measure = createMeasure({ ...inks, size: 12 * inks.unit });
     return arrange({
       size,
@@ -237,13 +224,14 @@ export function createHeatmap(element, options) {
 
   async function settle() {
     if (!window.Plotly) await library();
-    const size = { width: area.clientWidth, height: area.clientHeight };
-    if (destroyed || !grid || size.width < SMALLEST || size.height < SMALLEST) return;
+    const size = host.size();
+    if (!size || !grid) return;
     arrangement = arranged(size);
     const layout = bareLayout(arrangement);
     const frame = JSON.stringify([layout, grid.x, grid.y]);
     const inPlace =
-      frame === framed && putCells(canvas, cells(grid.z, scale, stops(scale.kind, theme.color)));
+      frame === framed &&
+      putCells(canvas, cells(grid.z, scale, stops(scale.kind, host.theme().color)));
     framed = frame;
     const drawn = inPlace
       ? null
@@ -336,16 +324,6 @@ export function createHeatmap(element, options) {
     placeCross();
   });
 
-  let waiting = 0;
-  const observer = new ResizeObserver(() => {
-    cancelAnimationFrame(waiting);
-    waiting = requestAnimationFrame(() => {
-      theme = readTheme(element); // letters grow with the window, too
-      void settle();
-    });
-  });
-  observer.observe(area);
-
   return {
     /** @param {Grid} next @param {Partial<Pick<MapOptions, "name" | "x" | "y" | "z" | "regions" | "ids">>} [changes] */
     draw(next, changes = {}) {
@@ -383,27 +361,14 @@ export function createHeatmap(element, options) {
         return new Blob([gridCsv(grid, xAxis, yAxis, plainText(values.title))], {
           type: "text/csv;charset=utf-8",
         });
-      if (publication) {
-        const { mmPerPx, ...size } = drawingSize(publication);
-        const { ground, caption } = publication;
-        return onGround(element, ground, (inks) =>
-          imageOf(framedFigure(size, inks, "", caption), format, mmPerPx),
+      if (publication)
+        return published(element, publication, format, ({ size, theme, caption }) =>
+          framedFigure(size, theme, "", caption),
         );
-      }
-      return imageOf(framedFigure({ width: 960, height: 720 }, theme, name), format);
+      return imageOf(framedFigure({ width: 960, height: 720 }, host.theme(), name), format);
     },
     table: () => gridTable(name, grid, xAxis, yAxis, values.print),
-    theme() {
-      theme = readTheme(element);
-      if (grid) placeKey();
-      void settle();
-    },
-    destroy() {
-      destroyed = true;
-      observer.disconnect();
-      cancelAnimationFrame(waiting);
-      window.Plotly?.purge(canvas);
-      element.replaceChildren();
-    },
+    theme: host.refresh,
+    destroy: host.destroy,
   };
 }

@@ -36,7 +36,7 @@ const LABELS = 46; // px that both plots keep for the labels of their vertical a
  * @param {OnPick} options.onPick
  * @param {(value: string | undefined) => void} options.onKind how the error is to be shown
  * @param {[string, string]} options.notes what it is, absolute and relative
- * @param {{call: string, behind: () => import("../page/exports.js").Behind}} options.print
+ * @param {{call: string, behind: () => Behind}} options.print
  * @param {(name: string, blob: Blob) => void} options.save
  */
 export function createPair({

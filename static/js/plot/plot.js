@@ -10,49 +10,19 @@
 
 import { plainText, put } from "../draw/svg.js";
 import { plain } from "../numbers/format.js";
-import { arrange } from "./axes.js";
+import { h } from "../page/dom.js";
 import {
+  arrange,
   bandShapes,
   CONFIG,
   createFastPath,
+  createHost,
+  library,
   plotlyLayout,
   plotlyTraces,
   unitSuffix,
 } from "./figure.js";
-import { readTheme } from "./host.js";
 import { createOverlay, MOST_LABELS } from "./overlay.js";
-import { listenForPicks } from "./pick.js";
-
-const SMALLEST = 40;
-
-/**
- * @param {HTMLElement} parent
- * @param {string} className
- * @param {keyof HTMLElementTagNameMap} [tag]
- */
-function child(parent, className, tag = "div") {
-  const node = document.createElement(tag);
-  node.className = className;
-  parent.append(node);
-  return node;
-}
-
-/**
- * The library, once its script has run.
- * @returns {Promise<Plotly.Library>}
- */
-async function library() {
-  if (window.Plotly) return window.Plotly;
-  const script = document.querySelector('script[src*="plotly"]');
-  if (!script) throw new Error("Plotly's script is not on the page");
-  await new Promise((resolve, reject) => {
-    script.addEventListener("load", resolve, { once: true });
-    script.addEventListener("error", () => reject(new Error("Plotly could not be loaded")), {
-      once: true,
-    });
-  });
-  return library();
-}
 
 /**
  * @param {Axis} axis
@@ -85,25 +55,14 @@ export function createPlot(element, options) {
   const axes = { x: options.x, y: options.y, y2: options.y2 ?? null };
   let name = options.name;
   const most = options.names ?? MOST_LABELS;
-  element.classList.add("plot");
-  element.setAttribute("role", "figure");
   element.setAttribute("aria-label", name);
-
-  const area = child(element, "plot-area");
-  const canvas = child(area, "plot-canvas");
-  canvas.setAttribute("aria-hidden", "true");
+  const host = createHost(element, () => void settle());
+  const { area, canvas } = host;
   const overlay = createOverlay(area);
-  const handle = child(area, "plot-handle");
-  handle.hidden = true;
-  const legend = child(element, "plot-legend", "ul");
-  legend.hidden = true;
-
-  let theme = readTheme(element);
-  overlay.useFaces(theme);
-  void document.fonts.ready.then(() => {
-    overlay.useFaces(theme);
-    void settle();
-  });
+  const handle = h("div.plot-handle", { hidden: true });
+  area.append(handle);
+  const legend = h("ul.plot-legend", { hidden: true });
+  element.append(legend);
   /** @type {readonly Trace[]} */
   let traces = [];
   /** @type {readonly Mark[]} */
@@ -116,7 +75,6 @@ export function createPlot(element, options) {
   let arrangement = null;
   const fastPath = createFastPath(canvas);
   let marksRow = Boolean(options.onPick);
-  let destroyed = false;
 
   const uprights = () => {
     const landmarks = marks.filter((mark) => mark.kind === "landmark").map((mark) => mark.x);
@@ -164,8 +122,10 @@ export function createPlot(element, options) {
       await library();
       if (own !== turn) return;
     }
-    const size = { width: area.clientWidth, height: area.clientHeight };
-    if (destroyed || traces.length === 0 || size.width < SMALLEST || size.height < SMALLEST) return;
+    const size = host.size();
+    if (!size || traces.length === 0) return;
+    const theme = host.theme();
+    overlay.useFaces(theme);
     marksRow ||= marks.some((mark) => mark.kind === "landmark");
     arrangement = arrange({
       size,
@@ -239,20 +199,6 @@ export function createPlot(element, options) {
     return settle();
   };
 
-  let waiting = 0;
-  const resize = () => {
-    cancelAnimationFrame(waiting);
-    waiting = requestAnimationFrame(() => {
-      const { width, height } = arrangement?.size ?? { width: 0, height: 0 };
-      if (area.clientWidth === width && area.clientHeight === height) return;
-      theme = readTheme(element); // letters grow with the window, too
-      overlay.useFaces(theme);
-      void settle();
-    });
-  };
-  const observer = new ResizeObserver(resize);
-  observer.observe(area);
-
   const stopPicking = options.onPick
     ? listenForPicks({
         area,
@@ -322,29 +268,134 @@ export function createPlot(element, options) {
       const { exportPlot } = await import("./export.js");
       const shown = valued(marks, axes.x);
       const size = arrangement?.size;
-      const picture = { traces, marks: shown, bands, most, axes, size, theme, at: marker.x };
+      const picture = {
+        traces,
+        marks: shown,
+        bands,
+        most,
+        axes,
+        size,
+        theme: host.theme(),
+        at: marker.x,
+      };
       return exportPlot(element, { ...picture, title: name }, format, publication);
     },
     filename: (format) => `${options.filename ?? "plot"}.${format}`,
     table: () => {
-      const table = document.createElement("table");
+      const table = h("table");
       const shown = /** @type {const} */ ([name, axes.x, traces]);
       void import("./table.js").then(({ fillTable }) => fillTable(table, ...shown));
       return table;
     },
-    theme: () => {
-      theme = readTheme(element);
-      overlay.useFaces(theme);
-      void settle();
-    },
-    resize,
+    theme: host.refresh,
+    resize: host.resize,
     destroy: () => {
-      destroyed = true;
-      cancelAnimationFrame(waiting);
-      observer.disconnect();
       stopPicking();
-      Plotly.purge(canvas);
-      element.replaceChildren();
+      host.destroy();
     },
   };
+}
+
+const SIDEWAYS = 6;
+const BESIDE = 12;
+
+/** @param {PicksOptions} task @returns {() => void} stop listening */
+export function listenForPicks({ area, handle, arrangement, current, steps, onPick, onActive }) {
+  const listening = new AbortController();
+  const { signal } = listening;
+  /** @type {{id: number, x: number, y: number, waiting: boolean} | null} */
+  let grip = null;
+
+  /** @param {number} value @param {Arrangement} layout */
+  const inRange = (value, { ranges }) =>
+    Math.min(Math.max(value, Math.min(...ranges.x)), Math.max(...ranges.x));
+
+  let lastX = 0;
+  /** @param {PointerEvent} event @param {boolean} settled */
+  const pick = (event, settled) => {
+    const layout = arrangement();
+    if (!layout) return;
+    // a cancelled pointer has no position of its own
+    if (event.type !== "pointercancel") lastX = event.clientX;
+    const value = layout.xValue(lastX - area.getBoundingClientRect().left);
+    onPick(inRange(value, layout), { settled, fine: event.shiftKey, free: event.altKey });
+  };
+
+  area.addEventListener(
+    "pointerdown",
+    (event) => {
+      const layout = arrangement();
+      if (!layout || !event.isPrimary || event.button !== 0) return;
+      const bounds = area.getBoundingClientRect();
+      const x = event.clientX - bounds.left;
+      const { frame } = layout;
+      const y = event.clientY - bounds.top;
+      if (x < frame.x - BESIDE || x > frame.x + frame.width + BESIDE || y < frame.y - BESIDE)
+        return;
+      const waiting = event.pointerType === "touch" && event.target !== handle;
+      grip = { id: event.pointerId, x: event.clientX, y: event.clientY, waiting };
+      if (waiting) return;
+      area.setPointerCapture(event.pointerId);
+      onActive(true);
+      handle.focus({ preventScroll: true });
+      event.preventDefault();
+      pick(event, false);
+    },
+    { signal },
+  );
+
+  area.addEventListener(
+    "pointermove",
+    (event) => {
+      if (!grip || event.pointerId !== grip.id) return;
+      if (grip.waiting) {
+        if (Math.abs(event.clientX - grip.x) < SIDEWAYS) return;
+        grip.waiting = false;
+        area.setPointerCapture(event.pointerId);
+        onActive(true);
+      }
+      pick(event, false);
+    },
+    { signal },
+  );
+
+  /** @param {PointerEvent} event */
+  const release = (event) => {
+    if (!grip || event.pointerId !== grip.id) return;
+    const scrolled = grip.waiting && event.type !== "pointerup";
+    grip = null;
+    onActive(false);
+    if (!scrolled) pick(event, true);
+  };
+  area.addEventListener("pointerup", release, { signal });
+  area.addEventListener("pointercancel", release, { signal });
+
+  handle.addEventListener(
+    "keydown",
+    (event) => {
+      const layout = arrangement();
+      const from = current();
+      if (!layout || from === null || event.ctrlKey || event.metaKey) return;
+      const { step, fine, page } = steps();
+      const arrow = event.shiftKey ? fine : step;
+      /** @type {Record<string, number>} */
+      const targets = {
+        ArrowLeft: from - arrow,
+        ArrowDown: from - arrow,
+        ArrowRight: from + arrow,
+        ArrowUp: from + arrow,
+        PageDown: from - page,
+        PageUp: from + page,
+        Home: Number.NEGATIVE_INFINITY,
+        End: Number.POSITIVE_INFINITY,
+      };
+      const target = targets[event.key];
+      if (target === undefined) return;
+      event.preventDefault();
+      const value = Number(inRange(target, layout).toPrecision(12));
+      onPick(value, { settled: true, fine: event.shiftKey, free: true });
+    },
+    { signal },
+  );
+  return () => listening.abort();
 }

@@ -1,8 +1,7 @@
 /** A figure for a paper or a slide: its size there, the size of its letters, its ground and its caption. */
 
 import { h } from "../page/dom.js";
-import { textSize } from "./axes.js";
-import { readTheme } from "./host.js";
+import { readTheme, textSize } from "./figure.js";
 
 const MM_PER_POINT = 25.4 / 72;
 /** What a plot needs to have room for its axes and names. */

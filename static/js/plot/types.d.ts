@@ -230,3 +230,62 @@ interface MapOptions {
   ids?: readonly string[];
   onPick: (x: number, y: number) => void;
 }
+
+interface PicksOptions {
+  area: HTMLElement;
+  handle: HTMLElement;
+  arrangement: () => Arrangement | null;
+  current: () => number | null;
+  steps: () => Steps;
+  onPick: OnPick;
+  onActive: (picking: boolean) => void;
+}
+
+interface ArrangeOptions {
+  size: Size;
+  axes: Axes;
+  traces: readonly Trace[];
+  /** Width of a tick's label. */
+  measure: Measure;
+  marksRow: boolean;
+  unit?: number;
+  /** Room for a title above all. */
+  header?: number;
+  /** Room on every side. */
+  padding?: number;
+}
+
+interface PlaceLabelsOptions {
+  curves: readonly LabelledCurve[];
+  frame: Box;
+  /** What labels must not cover. */
+  obstacles?: readonly Box[];
+  /** Px of upright lines, kept clear of where that is cheap. */
+  uprights?: readonly number[];
+  /** Where they stood: they move only for a reason. */
+  previous?: ReadonlyMap<string, Place>;
+}
+
+interface PlaceMarkNamesOptions {
+  /** `x` in px. */
+  marks: readonly { x: number; width: number }[];
+  frame: Box;
+  unit?: number;
+  /** Px at the left of the lower row that the axis title takes. */
+  reserved: number;
+}
+
+/** A curve in px, whose name is to be placed. */
+interface LabelledCurve {
+  id: string;
+  width: number;
+  height: number;
+  x: readonly number[];
+  y: readonly (number | null)[];
+}
+
+/** An axis as Plotly has computed it. */
+interface PixelAxis {
+  l2p: (value: number) => number;
+  _length: number;
+}

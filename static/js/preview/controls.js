@@ -1,10 +1,9 @@
 /** The panel of the Preview view: media, what stands on either side and how it is evaluated, the scene. */
 
-import { createInterface } from "../controls/media.js";
-import { createChoices, createSheet } from "../controls/panel.js";
+import { createChoices, createRow, createSheet } from "../controls/panel.js";
 import { createParameters } from "../controls/parameters.js";
-import { createRow } from "../controls/row.js";
-import { ExpressionError, evaluate } from "../numbers/entry.js";
+import { createInterface } from "../media/media.js";
+import { ExpressionError, evaluate } from "../numbers/expression.js";
 import { plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { html, render } from "../page/lit.js";
@@ -80,11 +79,10 @@ export function createControls(context) {
     range: [2, 64],
     wide: [2, 1024],
     steps: { step: 1, fine: 1, page: 16 },
-    onChange: (value, moving) =>
-      actions.set(
-        { texels: value === null ? BOUNDS.texels.default : Math.round(value) },
-        { history: moving ? "replace" : "push" },
-      ),
+    onChange(value, moving) {
+      const texels = Math.round(value ?? BOUNDS.texels.default);
+      actions.set({ texels }, { history: moving ? "replace" : "push" });
+    },
     onSettle: actions.settle,
     writing: {
       print: (v) => plain(v),

@@ -1,6 +1,6 @@
 /** What the Preview view asks the server for. */
 
-import { isDispersive } from "../media/constants.js";
+import { isDispersive } from "../media/media.js";
 import { decoded } from "../numbers/srgb.js";
 import { mediaQuery, parameterQuery, path, stateName } from "../server/questions.js";
 import { codeOf, lutPath, snippetPath } from "../takeaway/fields.js";

@@ -75,13 +75,6 @@ export async function captionOf({ name, ids }, media, { call, href, version }) {
 }
 
 /**
- * @typedef {object} Behind
- * @property {State | null} [state] whose media they are
- * @property {readonly string[]} [indices] of `n_i`, `n_t` and `k_t`, those that the figure holds fixed
- * @property {readonly string[]} [presets] that it shows over their wavelengths
- */
-
-/**
  * @typedef {object} Medium
  * @property {string} id of the preset
  * @property {number | null} [at_nm] where it is taken; null is the preset's own wavelength

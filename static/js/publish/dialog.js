@@ -8,11 +8,10 @@ import { load } from "../server/api.js";
 import { captionOf, mediaBehind } from "./caption.js";
 
 /**
- * @typedef {import("../page/exports.js").Published} Published
  * @typedef {object} Task
  * @property {Published[]} figures
  * @property {string} call a part of the REST call that they show
- * @property {import("./caption.js").Behind} behind
+ * @property {Behind} behind
  * @property {string} name of the files
  * @property {(name: string, blob: Blob) => void} save
  */
@@ -49,9 +48,9 @@ function createDialog() {
   const withCaption = h("input", { type: "checkbox", name: "captioned", checked: true });
   /** A text for each figure. @type {HTMLTextAreaElement[]} */
   let words = [];
-  const captions = h("div", { class: "publish-captions" });
-  const trouble = h("p", { class: "row-error", role: "alert" });
-  const preview = h("div", { class: "publish-preview" });
+  const captions = h("div.publish-captions");
+  const trouble = h("p.row-error", { role: "alert" });
+  const preview = h("div.publish-preview");
   const saves = /** @type {const} */ (["svg", "png"]).map((format) =>
     h(
       "button",
@@ -64,20 +63,19 @@ function createDialog() {
     "form",
     { method: "dialog" },
     h(
-      "div",
-      { class: "publish-fields" },
-      h("label", {}, h("span", {}, "Ground"), ground),
-      ...boxes.map(({ label, input }) => h("label", {}, h("span", {}, label), input)),
+      "div.publish-fields",
+      h("label", h("span", "Ground"), ground),
+      ...boxes.map(({ label, input }) => h("label", h("span", label), input)),
     ),
-    h("label", { class: "publish-caption" }, withCaption, "Caption below the figure"),
+    h("label.publish-caption", withCaption, "Caption below the figure"),
     captions,
     trouble,
     preview,
-    h("div", { class: "publish-actions" }, ...saves, close),
+    h("div.publish-actions", ...saves, close),
   );
   const dialog = h(
-    "dialog",
-    { class: "publish", "aria-labelledby": "publish-title" },
+    "dialog.publish",
+    { "aria-labelledby": "publish-title" },
     h("h2", { id: "publish-title" }, "Figure for print"),
     form,
   );

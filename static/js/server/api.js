@@ -1,4 +1,4 @@
-/** The only module that talks to the server. */
+/** The only module that talks to the server, and what all views know from it: the catalog. */
 
 export const BASE = "api/v1";
 
@@ -78,15 +78,97 @@ export async function load(path, signal) {
   return body;
 }
 
+/** The worker starts when the page stands: it is for what moves, and would slow down what loads. */
+const START_AFTER = 800;
+
+/** @type {Transport} */
+async function direct(url, signal) {
+  try {
+    const response = await fetch(url, signal ? { signal } : {});
+    return { status: response.status, text: await response.text() };
+  } catch (error) {
+    if (error instanceof DOMException && error.name === "AbortError") throw error;
+    return { status: 0, text: "" };
+  }
+}
+
+/** @type {Transport} */
+let transport = direct;
+
+/** @type {Transport} */
+export const get = (url, signal) => transport(url, signal);
+
+/** Hand the asking over to a worker, soon and where there are any. */
+export function startWorker() {
+  if (typeof Worker === "undefined") return;
+  setTimeout(() => {
+    const worker = new Worker(new URL("fetcher.js", import.meta.url), { type: "module" });
+    const up = async () => {
+      const { through } = await import("./worker.js");
+      transport = through(worker);
+    };
+    worker.addEventListener("message", up, { once: true });
+    worker.addEventListener("error", () => {
+      transport = direct;
+    });
+  }, START_AFTER);
+}
+
+/** Of each model and each medium what every picture needs; the rest is fetched where it is read. */
+export const CATALOG_PATHS = [
+  "/parameters",
+  "/models?fields=id,title,kind,applies_to,parameters,validity",
+  "/materials?fields=id,name,category,n,k,wavelength_nm,kind,rival_of,n_range_nm",
+];
+
+/** The short table that everybody knows comes first. @param {Material[]} materials */
+function byTable(materials) {
+  const common = materials.filter((m) => m.id.endsWith("-shirley"));
+  return [...common, ...materials.filter((m) => !common.includes(m))];
+}
+
+/** index.html has it on its way before any script runs. @returns {Promise<Catalog>} */
+export async function fetchCatalog() {
+  const [{ parameters }, { models }, { materials }] = await Promise.all(
+    CATALOG_PATHS.map((path) => load(path)),
+  );
+  return {
+    parameters,
+    models: models.map((/** @type {object} */ m) => ({ latex: "", reference: "", cost: {}, ...m })),
+    materials: byTable(materials),
+  };
+}
+
+/**
+ * What completes rows of the catalog, asked for once, when it is first needed.
+ * @param {{id: string}[]} rows
+ * @param {string} path
+ * @param {string} key of the answer
+ * @param {(problem: Problem) => void} onProblem
+ * @returns {() => Promise<void>}
+ */
+export function completed(rows, path, key, onProblem) {
+  /** @type {Promise<void> | null} */
+  let done = null;
+  return () => {
+    done ??= load(path).then(
+      (answer) => {
+        const more = new Map(answer[key].map((/** @type {{id: string}} */ one) => [one.id, one]));
+        for (const row of rows) Object.assign(row, more.get(row.id));
+      },
+      (problem) => {
+        done = null;
+        onProblem(problem);
+      },
+    );
+    return done;
+  };
+}
+
 /**
  * A question that is asked again and again while something moves: one request is in flight, of those
  * that wait only the newest is kept, and a request that is slow while a newer one waits is aborted.
- * @param {object} options
- * @param {(data: any, path: string) => void} options.onAnswer
- * @param {(problem: Problem) => void} options.onProblem
- * @param {(busy: boolean) => void} [options.onBusy]
- * @param {(path: string, signal?: AbortSignal) => Promise<any>} [options.get]
- * @param {number} [options.patience] ms that a stale request may still take
+ * @param {QueryOptions} options
  */
 export function createQuery({
   onAnswer,
@@ -176,73 +258,112 @@ export function createQuery({
   };
 }
 
-/** @typedef {{status: number, text: string}} Answer a status of 0 says that the server is out of reach */
-/** @typedef {(url: string, signal?: AbortSignal) => Promise<Answer>} Transport */
-
-/** The worker starts when the page stands: it is for what moves, and would slow down what loads. */
-const START_AFTER = 800;
-
-/** @type {Transport} */
-async function direct(url, signal) {
-  try {
-    const response = await fetch(url, signal ? { signal } : {});
-    return { status: response.status, text: await response.text() };
-  } catch (error) {
-    if (error instanceof DOMException && error.name === "AbortError") throw error;
-    return { status: 0, text: "" };
-  }
-}
-
 /**
- * @param {Worker} worker
- * @returns {Transport}
+ * The questions of the open view, each under a name, and the last answer to each. While something
+ * moves the first one leads: the others wait until it is answered.
+ * @param {AskingOptions} options
  */
-function through(worker) {
-  let last = 0;
-  /** @type {Map<number, (answer: Answer) => void>} */
-  const waiting = new Map();
-  worker.addEventListener("message", ({ data: { id, status, text } }) => {
-    waiting.get(id)?.({ status, text });
-    waiting.delete(id);
-  });
-  worker.addEventListener("error", () => {
-    for (const answer of waiting.values()) answer({ status: 0, text: "" });
-    waiting.clear();
-  });
-  return (url, signal) =>
-    new Promise((resolve, reject) => {
-      last += 1;
-      const id = last;
-      waiting.set(id, resolve);
-      worker.postMessage({ id, url: new URL(url, document.baseURI).href });
-      signal?.addEventListener("abort", () => {
-        waiting.delete(id);
-        worker.postMessage({ id });
-        reject(signal.reason);
+export function createAsking({
+  questions,
+  moving,
+  painted,
+  onAnswer,
+  onProblem,
+  onRecovered,
+  onBusy,
+  query = createQuery,
+}) {
+  /** @type {Answers} */
+  let answers = {};
+  /** @type {Map<string, ReturnType<typeof createQuery>>} */
+  const runners = new Map();
+  /** @type {Set<string>} */
+  const busy = new Set();
+  /** @type {Set<string>} */
+  const broken = new Set();
+  /** The query that a view cannot do without. */
+  let first = "";
+  /** Asked one after the other, once all else is answered. @type {[string, string][]} */
+  let later = [];
+  /** @type {Set<string>} */
+  const late = new Set();
+
+  /** @param {string} name */
+  function runner(name) {
+    const found =
+      runners.get(name) ??
+      query({
+        onAnswer(data, path) {
+          // `asked` tells a view which question each answer belongs to.
+          answers = { ...answers, [name]: data, asked: { ...answers.asked, [name]: path } };
+          recovered(name);
+          onAnswer();
+        },
+        onProblem(problem) {
+          if (onProblem(name, problem)) broken.add(name);
+        },
+        onBusy(on) {
+          if (on) busy.add(name);
+          else busy.delete(name);
+          onBusy(busy.size > 0);
+          askLater();
+        },
       });
-    });
-}
+    runners.set(name, found);
+    return found;
+  }
 
-/** @type {Transport} */
-let transport = direct;
+  /** @param {string} name */
+  function recovered(name) {
+    if (broken.delete(name) && broken.size === 0) onRecovered();
+  }
 
-/** @type {Transport} */
-export const get = (url, signal) => transport(url, signal);
+  function askLater() {
+    // What has been answered is painted first.
+    while (painted() && busy.size === 0 && !moving()) {
+      const one = later.shift();
+      if (!one) return;
+      late.add(one[0]);
+      runner(one[0]).request(one[1]);
+    }
+  }
 
-/** Hand the asking over to a worker, soon and where there are any. */
-export function startWorker() {
-  if (typeof Worker === "undefined") return;
-  setTimeout(() => {
-    const worker = new Worker(new URL("fetcher.js", import.meta.url), { type: "module" });
-    worker.addEventListener(
-      "message",
-      () => {
-        transport = through(worker);
-      },
-      { once: true },
-    );
-    worker.addEventListener("error", () => {
-      transport = direct;
-    });
-  }, START_AFTER);
+  return {
+    answers: () => answers,
+    /** The paths whose answers there are. @returns {string[]} */
+    paths: () => Object.values(answers.asked ?? {}),
+    /** Whether an answer is on its way without which a picture in motion would be drawn twice. */
+    leading: () => moving() && busy.has(first),
+    waiting: () => later.length > 0,
+    askLater,
+
+    ask() {
+      const asked = questions();
+      if (!asked) return;
+      const { wanted } = asked;
+      later = moving() ? [] : Object.entries(asked.later);
+      for (const name of late) if (busy.has(name)) runner(name).cancel();
+      // What is not asked any more cannot recover.
+      if (!moving()) {
+        const names = new Set([...Object.keys(wanted), ...later.map(([name]) => name)]);
+        for (const name of broken) if (!names.has(name)) recovered(name);
+      }
+      first = Object.keys(wanted)[0] ?? "";
+      for (const [name, path] of Object.entries(wanted)) {
+        // While the first is on its way again and again, the others would only slow it down.
+        if (name === first || !moving() || !busy.has(first)) runner(name).request(path);
+      }
+      askLater();
+    },
+
+    /** Another view is opened: nothing that is under way concerns it. */
+    clear() {
+      later = [];
+      for (const one of runners.values()) one.cancel();
+      runners.clear();
+      late.clear();
+      for (const name of broken) recovered(name);
+      answers = {};
+    },
+  };
 }

@@ -1,14 +1,5 @@
 /** One state object; its part that differs from the defaults stands in the URL. */
 
-/**
- * @typedef {object} Field
- * @property {any} default
- * @property {(text: string) => any} parse throws a LinkError for what a link may not say
- * @property {(value: any) => string} print
- * @typedef {{key: string, text: string, message: string}} LinkProblem
- * @typedef {{history?: 'push' | 'replace' | 'none'}} SetOptions
- */
-
 export class LinkError extends Error {}
 
 const LONGEST_QUOTE = 40;
@@ -114,14 +105,7 @@ export function optional(options) {
   };
 }
 
-/**
- * @param {Record<string, Field>} fields
- * @param {object} [options]
- * @param {Pick<Window, 'history' | 'location'> | null} [options.window] whose URL follows the state; null for none
- * @param {(state: Record<string, any>) => Record<string, any>} [options.implied] values that others imply
- *   (a preset's indices): they follow from the state and are left out of the link
- * @param {() => number} [options.now]
- */
+/** @param {Record<string, Field>} fields @param {StateOptions} [options] */
 export function createState(
   fields,
   { window: frame = null, implied = () => ({}), now = Date.now } = {},
@@ -176,7 +160,7 @@ export function createState(
      * `replace` is for the values of a gesture (a drag, a key held down): the first one makes the
      * gesture's history entry, the next ones replace it, and `push` or `settle` closes it.
      * @param {Record<string, any>} patch
-     * @param {SetOptions} [options]
+     * @param {{history?: 'push' | 'replace' | 'none'}} [options]
      */
     set(patch, { history = "push" } = {}) {
       const unknown = Object.keys(patch).find((key) => !(key in schema));
@@ -262,8 +246,6 @@ export function createState(
     },
   };
 }
-
-/** @typedef {ReturnType<typeof createState>} StateStore */
 
 const MOST_NAMED = 8;
 const NEAREST = 3;

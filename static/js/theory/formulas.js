@@ -1,6 +1,6 @@
 /** The collection of formulas: found by a word, each with its letters, source, error and live curve. */
 
-import { locate, read } from "../curves/reading.js";
+import { pointsAt } from "../curves/reading.js";
 import { modelStyle, shortTitle } from "../models/look.js";
 import { plain, signed, significant } from "../numbers/format.js";
 import { h } from "../page/dom.js";
@@ -159,12 +159,7 @@ export function createFormulas({ catalog, actions, say }) {
   show(null, "");
 
   /** @param {number} x */
-  function point(x) {
-    plot.marker(
-      x,
-      traces.map((t) => ({ id: t.id, y: read(t.y, locate(t.x, x)) })),
-    );
-  }
+  const point = (x) => plot.marker(x, pointsAt(traces, x));
 
   /** The formulas that hold all words, by kind. @param {string | null} find @param {string} current */
   function list(find, current) {

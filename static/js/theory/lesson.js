@@ -3,7 +3,6 @@ import { locate, read, values } from "../curves/reading.js";
 /**
  * What a lesson is, and the numbers that hold in it: its own, until the reader moves them.
  *
- * @typedef {import('../curves/reading.js').Reading} Reading
  * @typedef {{n_i: number, n_t: number, k_t: number, deg: number, polarization: string, of: string}} Setting
  * @typedef {{setting: Setting, reading: Reading | null, answers: Record<string, any>, state: State}} Scene what is
  *   on the picture now

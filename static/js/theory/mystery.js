@@ -1,8 +1,8 @@
 /** A material to guess: its curve is given, n and k are to be found. A link sends one to others. */
 
 import { landmarksOf, locate, read, values } from "../curves/reading.js";
-import { NEGLIGIBLE } from "../media/constants.js";
-import { ExpressionError, evaluate } from "../numbers/entry.js";
+import { NEGLIGIBLE } from "../media/media.js";
+import { ExpressionError, evaluate } from "../numbers/expression.js";
 import { angle, percent, plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { copyText, flash } from "../page/exports.js";

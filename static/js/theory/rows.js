@@ -1,8 +1,7 @@
 /** The sliders of a lesson: what can be moved, between which ends. */
 
-import { createChoice } from "../controls/panel.js";
-import { createRow } from "../controls/row.js";
-import { evaluateAngle } from "../numbers/entry.js";
+import { createChoice, createRow } from "../controls/panel.js";
+import { evaluateAngle } from "../numbers/expression.js";
 import { inDegrees, plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 
@@ -36,7 +35,7 @@ const writing = {
  * A row whose value is the lesson's own until the reader moves it.
  * @param {string} name of the state's field
  * @param {Actions} actions
- * @param {Omit<import('../controls/row.js').RowOptions, 'onChange' | 'onSettle'>} options
+ * @param {Omit<RowOptions, 'onChange' | 'onSettle'>} options
  */
 export function createOwnRow(name, actions, options) {
   return createRow({

@@ -1,18 +1,15 @@
 /** The picture of a lesson: the ray at the surface beside its curves, or a metal's colors. */
 
-import { landmarksOf, locate, read, readingAt, values } from "../curves/reading.js";
-import { axesOf } from "../curves/traces.js";
-import { createDiagram } from "../diagram/diagram.js";
-import { createSplit } from "../diagram/split.js";
-import { CHANNELS, modelTraces } from "../models/look.js";
-import { clamp, snap, stepped } from "../numbers/entry.js";
+import { axesOf, landmarksOf, pointsAt, readingAt, values } from "../curves/reading.js";
+import { createDiagram, createSplit } from "../diagram/diagram.js";
+import { CHANNELS, modelTraces, shortTitle } from "../models/look.js";
+import { clamp, snap, stepped } from "../numbers/format.js";
 import { h, setText } from "../page/dom.js";
 import { createDataTables } from "../page/exports.js";
 import { createPlot } from "../plot/plot.js";
 import { DEGREES } from "./rows.js";
 
 /**
- * @typedef {import('../curves/reading.js').Reading} Reading
  * @typedef {import('./lesson.js').Lesson} Lesson
  * @typedef {import('./lesson.js').Setting} Setting
  */
@@ -30,41 +27,23 @@ export const LOOKS = {
   T: { id: "T", label: "T", color: "--T", dash: "longdash", width: 1.9 },
 };
 
-/** R, G and B of a material by its spectrum and by models. @param {any} answer @param {readonly string[]} models @param {Catalog} catalog @returns {Trace[]} */
-function colorTraces(answer, models, catalog) {
-  const x = answer.theta_i_deg;
-  const truth = answer.rgb.curves.find((/** @type {any} */ c) => c.model === "spectral");
+/** R, G and B of a material by its spectrum and by models. @param {any} answer @param {readonly string[]} ids @param {Model[]} models @returns {Trace[]} */
+function colorTraces({ theta_i_deg: x, rgb }, ids, models) {
+  /** @param {string} id @param {(quantity: string, letter: string) => {id: string, label: string}} name @param {object} look */
+  const three = (id, name, look) => {
+    const curve = rgb.curves.find((/** @type {any} */ c) => c.model === id);
+    return Object.entries(CHANNELS).map(([quantity, { color, label }]) => ({
+      ...{ ...name(quantity, label), x, y: curve[quantity], color },
+      ...look,
+    }));
+  };
   return [
-    ...Object.entries(CHANNELS).map(([quantity, { color, label }]) => ({
-      id: quantity,
-      label,
-      x,
-      y: truth[quantity],
-      color,
-      dash: "solid",
-      width: 2.4,
-    })),
-    ...answer.rgb.curves
-      .filter((/** @type {any} */ c) => models.includes(c.model))
-      .flatMap((/** @type {any} */ c) =>
-        modelTraces(
-          /** @type {any} */ ({
-            curves: Object.keys(CHANNELS).map((quantity) => ({
-              model: c.model,
-              quantity,
-              values: c[quantity],
-            })),
-          }),
-          [c.model],
-          catalog.models,
-          x,
-        ).map((trace) => ({
-          ...trace,
-          bare: true,
-          dash: c.model === "exact" ? "dot" : "dash",
-          width: 1.6,
-        })),
-      ),
+    ...three("spectral", (id, label) => ({ id, label }), { dash: "solid", width: 2.4 }),
+    ...ids.flatMap((model) => {
+      const title = shortTitle(models.find((m) => m.id === model)?.title ?? model);
+      const look = { bare: true, dash: model === "exact" ? "dot" : "dash", width: 1.6 };
+      return three(model, (id, x) => ({ id: `${model}.${id}`, label: `${title} ${x}` }), look);
+    }),
   ];
 }
 
@@ -158,11 +137,8 @@ export function createStage({ catalog, name, actions }) {
   }
 
   function mark() {
-    const place = (/** @type {Trace} */ t) => read(t.y, locate(t.x, theta));
-    plot.marker(
-      theta,
-      traces.filter((t) => !t.bare).map((t) => ({ id: t.id, y: place(t) })),
-    );
+    const named = traces.filter((t) => !t.bare);
+    plot.marker(theta, pointsAt(named, theta));
   }
 
   return {
@@ -188,7 +164,7 @@ export function createStage({ catalog, name, actions }) {
         const beyond = answer.rgb.curves[0].R_red.some((/** @type {number} */ v) => v > 1);
         if (look !== drawn.look || answer !== drawn.sources[0])
           plot.axes({ y: { ...AXES.y, range: [0, beyond ? 1.1 : 1] } });
-        draw([answer], look, moving, () => colorTraces(answer, models, catalog), []);
+        draw([answer], look, moving, () => colorTraces(answer, models, catalog.models), []);
         mark();
         return null;
       }

@@ -1,19 +1,16 @@
 /** Explore: the ray at the surface beside the Fresnel curves. */
 
-import { nameable } from "../controls/media.js";
-import { allLandmarksOf, readingAt } from "../curves/reading.js";
-import { axesOf, marksOf, tracesOf } from "../curves/traces.js";
-import { createDiagram } from "../diagram/diagram.js";
-import { createSplit } from "../diagram/split.js";
-import { ANGLE_STEPS, createControls } from "../explore/controls.js";
+import { ANGLE_STEPS } from "../controls/panel.js";
+import { allLandmarksOf, axesOf, marksOf, readingAt, tracesOf } from "../curves/reading.js";
+import { createDiagram, createSplit } from "../diagram/diagram.js";
+import { createControls } from "../explore/controls.js";
 import { createNumbers } from "../explore/numbers.js";
-import { spreadPaths } from "../media/constants.js";
-import { clamp, snap, stepped } from "../numbers/entry.js";
-import { angle, inDegrees, inUnit, percent } from "../numbers/format.js";
+import { nameable, spreadPaths } from "../media/media.js";
+import { angle, clamp, inDegrees, inUnit, percent, snap, stepped } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { createDataTables, createExports } from "../page/exports.js";
 import { createPlot } from "../plot/plot.js";
-import { parameterFields, parameterQuery } from "../server/questions.js";
+import { mediaQuery, parameterFields, parameterQuery, path } from "../server/questions.js";
 import { choice, list } from "../state/state.js";
 
 /**
@@ -50,11 +47,7 @@ export function createView({
   const numbers = createNumbers(say);
   const split = createSplit();
   const whitePlace = h("div", { hidden: true });
-  const fold = h(
-    "details",
-    { class: "definitions" },
-    h("summary", {}, "Formulas and sources of these curves"),
-  );
+  const fold = h("details.definitions", h("summary", "Formulas and sources of these curves"));
   /** Fetched when the fold is opened. @type {{update: (ids: string[]) => void} | null} */
   let definitions = null;
   fold.addEventListener(
@@ -66,13 +59,12 @@ export function createView({
     },
     { once: true },
   );
-  const diagramFrame = h("div", { class: "frame" });
-  const diagramHost = h("div", { class: "diagram-host" }, diagramFrame);
-  const plotFrame = h("div", { class: "frame" });
-  const plotHost = h("div", { class: "plot-host" }, plotFrame);
+  const diagramFrame = h("div.frame");
+  const diagramHost = h("div.diagram-host", diagramFrame);
+  const plotFrame = h("div.frame");
+  const plotHost = h("div.plot-host", plotFrame);
   const caption = h(
-    "p",
-    { class: "hint" },
+    "p.hint",
     "Drag the ray, or use ← → (Shift: finer). Alt frees it from the marks.",
   );
   const tables = createDataTables("The curves as a table", {
@@ -93,28 +85,28 @@ export function createView({
   element.append(
     controls.element,
     h(
-      "section",
-      { class: "column ray", "aria-label": "Ray at the surface" },
-      h("div", { class: "heading" }, h("h2", {}, "Ray at the surface")),
+      "section.column.ray",
+      { "aria-label": "Ray at the surface" },
+      h("div.heading", h("h2", "Ray at the surface")),
       diagramHost,
       split.element,
       whitePlace,
       caption,
     ),
     h(
-      "section",
-      { class: "column curves", "aria-label": "Reflectance" },
-      h("div", { class: "heading" }, h("h2", {}, "Reflectance"), exports),
+      "section.column.curves",
+      { "aria-label": "Reflectance" },
+      h("div.heading", h("h2", "Reflectance"), exports),
       plotHost,
-      h("div", { class: "heading" }, h("h2", {}, "Numbers"), numbers.copyAll),
+      h("div.heading", h("h2", "Numbers"), numbers.copyAll),
       numbers.grid,
       fold,
       tables.element,
     ),
     h(
-      "section",
-      { class: "column amplitude-column", "aria-label": "Amplitude coefficients" },
-      h("div", { class: "heading" }, h("h2", {}, "Amplitude coefficients")),
+      "section.column.amplitude-column",
+      { "aria-label": "Amplitude coefficients" },
+      h("div.heading", h("h2", "Amplitude coefficients")),
       numbers.table,
     ),
   );
@@ -186,7 +178,7 @@ export function createView({
   /** @param {boolean} moving */
   function draw(moving) {
     if (!now) return;
-    const shown = /** @type {import('../curves/traces.js').Shown} */ ({
+    const shown = /** @type {Shown} */ ({
       ...now,
       marks: now.marks === "on",
     });
@@ -295,17 +287,16 @@ function reasonsOf(curves) {
  */
 export function queries(state, catalog) {
   const media = mediaQuery(state, catalog);
-  const curves = [
-    ...media,
-    state.models.length ? `models=exact,${state.models.join(",")}` : "",
-    ...parameterQuery(state, catalog.models, state.models),
-    "landmarks=true",
-    "refraction=true",
-    state.show.includes("phase") ? "phase=true" : "",
-  ];
   return {
-    curves: `/curves?${curves.filter(Boolean).join("&")}`,
-    snell: `/snell?${[...media, `theta_i_deg=${state.theta_i_deg}`].join("&")}`,
+    curves: path("/curves", [
+      ...media,
+      state.models.length && `models=exact,${state.models.join(",")}`,
+      ...parameterQuery(state, catalog.models, state.models),
+      "landmarks=true",
+      "refraction=true",
+      state.show.includes("phase") && "phase=true",
+    ]),
+    snell: path("/snell", [...media, `theta_i_deg=${state.theta_i_deg}`]),
   };
 }
 
@@ -327,13 +318,6 @@ export function restCalls(state, catalog) {
   const { snell, curves } = queries(state, catalog);
   const [white] = Object.values(spreadPaths(state, catalog.materials));
   return [snell, curves, white].filter((path) => path !== undefined);
-}
-
-/** @param {State} state @param {Catalog} catalog @returns {string[]} the indices that differ from the API's defaults */
-function mediaQuery(state, { parameters }) {
-  return ["n_i", "n_t", "k_t"]
-    .filter((name) => state[name] !== parameters.find((p) => p.name === name)?.default)
-    .map((name) => `${name}=${state[name]}`);
 }
 
 /** @param {Catalog} catalog @param {string | null} id @param {number} n @param {number} k @param {number} set what the page says n is */

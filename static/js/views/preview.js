@@ -1,8 +1,7 @@
 /** Preview: a scene rendered with one model on the left and another on the right, and how far they are apart. */
 
 import { createExamples } from "../controls/examples.js";
-import { createChoices } from "../controls/panel.js";
-import { createRow } from "../controls/row.js";
+import { createChoices, createRow } from "../controls/panel.js";
 import { plain, significant } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { copying } from "../page/exports.js";

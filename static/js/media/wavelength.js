@@ -1,4 +1,6 @@
-/** How wavelengths are told apart: a color that suggests the light, a dash, and the number itself. */
+/** How wavelengths are written, and told apart: a color that suggests the light, a dash, and the number itself. */
+
+import { plain } from "../numbers/format.js";
 
 import { encoded } from "../numbers/srgb.js";
 
@@ -71,4 +73,19 @@ export function wavelengthDash(index) {
 /** A name for the color's CSS custom property. @param {number} nm */
 export function wavelengthProperty(nm) {
   return `--nm-${String(nm).replace(/\W/g, "_")}`;
+}
+
+/** A wavelength as it is written in a table. @param {number} nm */
+export function wavelength(nm) {
+  if (nm >= 1e6) return `${plain(nm / 1e6, 3)}\u00a0mm`;
+  if (nm >= 10_000) return `${plain(nm / 1e3, 3)}\u00a0µm`;
+  return `${plain(nm, nm < 1000 ? 3 : 4)}\u00a0nm`;
+}
+
+/** From where to where, with the unit once where it is the same. @param {readonly [number, number]} range */
+export function stretch([low, high]) {
+  if (low === high) return wavelength(low);
+  const [a, b] = [wavelength(low), wavelength(high)];
+  const [number = "", unit] = a.split("\u00a0");
+  return unit === b.split("\u00a0")[1] ? `${number}–${b}` : `${a} – ${b}`;
 }

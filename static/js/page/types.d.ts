@@ -1,0 +1,96 @@
+/** The options of this room's functions; known everywhere without an import, and never sent. */
+
+/** A view that was opened. */
+interface Opened {
+  module: ViewModule;
+  view: View;
+  host: Pick<HTMLElement, "hidden">;
+}
+
+/** A figure that can be drawn for a publication. */
+interface Published {
+  exportAs: (format: "png" | "svg", publication: Publication) => Promise<Blob>;
+  /** Its title, and what is drawn in it. */
+  about: () => { name: string; ids: readonly string[] };
+  /** px of its width that are not the plot's, such as a key's. */
+  beside?: number;
+}
+
+/** The media that a figure takes its indices from. */
+interface Behind {
+  /** Whose media they are. */
+  state?: State | null;
+  /** Of `n_i`, `n_t` and `k_t`, those that the figure holds fixed. */
+  indices?: readonly string[];
+  /** That it shows over their wavelengths. */
+  presets?: readonly string[];
+}
+
+/** What the keys do that work everywhere. */
+interface Orders {
+  find: () => void;
+  help: () => void;
+  undo: () => void;
+  redo: () => void;
+}
+
+interface RouterOptions {
+  /** The first one is shown where an address names none. */
+  views: readonly { id: string }[];
+  load: (id: string) => Promise<ViewModule>;
+  make: (id: string, module: ViewModule) => Omit<Opened, "module">;
+  state: Pick<StateStore, "get" | "set" | "extend" | "fromQuery">;
+  catalog: Catalog;
+  /** The state's defaults, which each view adds to. */
+  presets: State;
+  /** The open view is left for another. */
+  onLeave: (id: string) => void;
+  /** A view cannot be loaded. */
+  onFailure: (id: string, href: string, again: () => Promise<void>) => void;
+  onArrival: (problems: LinkProblem[]) => void;
+}
+
+interface ShellOptions {
+  views: { id: string; title: string }[];
+  onView: (id: string) => void;
+  onTheme: () => void;
+}
+
+interface ExportsOptions {
+  /** Such as "the curves". */
+  what: string;
+  /** Of the file, without ending. */
+  name: () => string;
+  make: (format: "png" | "svg" | "csv") => Promise<Blob | Blob[]>;
+  save: (name: string, blob: Blob) => void;
+  /** What can be set up for a publication, a part of the REST call on the page that it shows, and where its indices are from. */
+  print?: { figures: () => Published[]; call: string; behind: () => Behind };
+}
+
+interface SettleDownOptions {
+  /** Whether it stands in another page. */
+  guest: boolean;
+  /** Whose answers are on the screen. */
+  paths: () => string[];
+  showVersion: (version: string) => void;
+}
+
+interface SnippetsOptions {
+  models: Model[];
+  actions: Pick<Actions, "set">;
+  say: (text: string) => void;
+  save: (name: string, blob: Blob) => void;
+}
+
+interface TablesOptions {
+  /** In the document, because plots read colors and sizes from it. */
+  parent: HTMLElement;
+  catalog: Catalog;
+  actions: Pick<Actions, "set">;
+}
+
+interface ModelChoiceOptions {
+  models: Model[];
+  label: string;
+  actions: Pick<Actions, "set">;
+}
