@@ -11,6 +11,8 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote, urlencode
 
+import yaml
+
 from tools.recorded_requests.bodies import bodies
 from tools.recorded_requests.question import Question
 from tools.recorded_requests.server import Server
@@ -18,68 +20,7 @@ from tools.recorded_requests.server import Server
 API = "/api/v1"
 HERE = Path(__file__).parent
 
-NOT_NUMBERS = ["nan", "inf", "-Infinity", "1e400", "1_0", "1,5", "0x10", "abc", "", " 1.5", "+1"]
-
-# What a schema cannot say of texts: some that are right, then some that are not.
-TEXTS = {
-    "models": [
-        *("exact", "exact,schlick", "spherical_gaussian", "schlik", "Schlick", "exact,"),
-        *("schlick,schlick", "f82-tint", ""),
-    ],
-    "model": ["exact", "one_minus_cos", "f82_tint", "schlik", "lut_1d", "EXACT", "a,b", ""],
-    "material": ["Au", "water", "gold", "gld", "BK7", "ice-wloka", "au", "watr", "x" * 101, ""],
-    "incident": ["water", "vacuum", "Au", "watr", "BK7", ""],
-    "wavelength_nm": ["587.6", "550", "10", "200000", "0", "-1", "10000001", *NOT_NUMBERS],
-    "wavelengths_nm": ["550", "400,700", "400,400", "10,500", "a,b", "", ",", "nan", "500," * 60],
-    "fields": ["id", "id,title", "id,name,n,k", "title,id", "ids", "id,id", "id,", ""],
-    "fits": ["deon_2019_log", "deon_2019_log,kulla_conty_2017", "deon_2019", "", "a,a"],
-    "fit": ["deon_2019_rg", "deon_2019_log", "deon", ""],
-    "q": ["gold", "Gold", "glass", "zzz", "%", "é", "", "x" * 101],
-    "hex": ["#ff8800", "ff8800", "#f80", "#gggggg", ""],
-    "example": ["deon", "lagarde", "none", ""],
-    "minimum": ["1.1", "0.5", "3", "-1", "1e9", "0", *NOT_NUMBERS],
-    "maximum": ["2.5", "1", "101", "-1", "1e9", *NOT_NUMBERS],
-    "minimum_nm": ["400", "600", "5", "0", "-3", "1e8", *NOT_NUMBERS],
-    "maximum_nm": ["700", "400", "1e7", "0", *NOT_NUMBERS],
-    "step_nm": ["10", "0.01", "5000", "0", *NOT_NUMBERS],
-    "x_minimum": ["1.5", "20", "-1", "200", "nan"],
-    "x_maximum": ["2", "60", "-1", "200", "nan"],
-    "y_minimum": ["1.5", "20", "-1", "200", "nan"],
-    "y_maximum": ["2", "60", "-1", "200", "nan"],
-}
-COLORS = [
-    "0.04",
-    "1.0,0.766,0.336",
-    "0.5,0.5",
-    "-0.1",
-    "a,b,c",
-    "0.1,0.2,0.3,0.4",
-    "2,0,0",
-    "nan,0,0",
-]
-COLORS += [",,", "", "1.01", "0", "1", "inf"]
-
-# What a parameter needs beside it to have a meaning, by route and name.
-BESIDE = {
-    ("/convert", "k_t"): {"from": "nk"},
-    ("/convert", "F0"): {"from": "f0"},
-    ("/convert", "F0_srgb"): {"from": "f0_srgb"},
-    ("/convert", "hex"): {"from": "f0_srgb"},
-    ("/convert", "r"): {"from": "rg", "g": "0.5"},
-    ("/convert", "g"): {"from": "rg", "r": "0.5"},
-    ("/convert", "G"): {"from": "dg", "r": "0.5"},
-    ("/convert", "specular"): {"from": "specular"},
-    ("/convert", "reflectance"): {"from": "reflectance"},
-    ("/albedo/map", "show"): {"fit": "deon_2019_rg"},
-    ("/errors/map", "x"): {"y": "k_t", "metric": "error"},
-    ("/errors/map", "y"): {"x": "n_i", "metric": "rms"},
-}
-
-# Small answers take less time and say as much; the schema's default is asked for once a route.
-SMALL = {"samples": "7", "steps": "5", "x_steps": "6", "y_steps": "4", "n_steps": "4"}
-SMALL |= {"k_steps": "3", "size": "16", "rows": "5", "limit": "3"}
-PARTS = {"model_id": "schlick", "material": "Au", "fit_id": "deon_2019_log"}
-PARTS |= {"formula_id": "model.schlick", "claim_id": "deon-2019-log"}
+VALUES: dict[str, Any] = yaml.safe_load((HERE / "values.yaml").read_text("utf-8"))
 
 
 def questions(server: Server) -> list[Question]:
@@ -90,7 +31,7 @@ def questions(server: Server) -> list[Question]:
     seen: set[str] = set()
     for path, methods in schema["paths"].items():
         for method, operation in methods.items():
-            filled = path.format(**PARTS)
+            filled = path.format(**VALUES["parts"])
             found += _of_http(method.upper(), filled)
             if method == "get":
                 for query in _queries(path, operation.get("parameters", []), seen):
@@ -99,7 +40,7 @@ def questions(server: Server) -> list[Question]:
         if line and line[0] != "#":
             found += _picked(line, lists)
     found += [Question("GET", address) for address in lists["claim_request"]]
-    found += bodies()
+    found += bodies(VALUES["items"], VALUES["columns"], VALUES["wrong"])
     found.append(Question("GET", f"{API}/curves?models=" + "exact," * 4000))
     found.append(Question("GET", f"{API}/curves", {"X-Long": "x" * 40_000}))
     kept = {
@@ -162,7 +103,7 @@ def _queries(path: str, parameters: Sequence[dict[str, Any]], seen: set[str]) ->
     """Ask with each value of each parameter; all that is wrong where it is met first, some after."""
     known = {p["name"]: p["schema"] for p in parameters if p["in"] == "query"}
     route = path.removeprefix(API).replace("/figures/errors", "/errors/map")
-    small = {name: value for name, value in SMALL.items() if name in known}
+    small = {name: value for name, value in VALUES["small"].items() if name in known}
     yield ""
     yield "nonsense=1"
     formats = [f for f in known.get("format", {}).get("enum", []) if f not in ("svg", "pdf")]
@@ -194,16 +135,19 @@ def _beside(route: str, name: str, known: dict[str, Any]) -> dict[str, str]:
         return {"n_t": "2.9", "k_t": "3"} | {"models" if "models" in known else "model": model}
     if name == "wavelength_nm":
         return {"material": "Au"} if "material" in known else {}
-    return BESIDE.get((route, name), {})
+    found: dict[str, dict[str, str]] = VALUES["beside"].get(route, {})
+    return found.get(name, {})
 
 
 def _values(name: str, schema: dict[str, Any]) -> list[str]:
     """Values of a parameter from its schema: right ones first, the last one always wrong."""
     kinds = [kind for kind in schema.get("anyOf", [schema]) if kind.get("type") != "null"]
-    if name in TEXTS:
-        return TEXTS[name]
+    if name in VALUES["texts"]:
+        return list(VALUES["texts"][name])
+    if name in VALUES["numbers"]:
+        return [*VALUES["numbers"][name], *VALUES["not_numbers"]]
     if "1.0,0.766,0.336" in schema.get("examples", []):
-        return COLORS
+        return list(VALUES["colors"])
     if "enum" in kinds[0]:
         named = [str(value) for value in kinds[0]["enum"]]
         return [*named, named[0].upper() + "x", named[-1][:-1], ""]
@@ -226,7 +170,7 @@ def _numbers(schema: dict[str, Any]) -> list[str]:
     middle = sqrt(low * high) if low > 0 else low + (high - low) / 3
     usual = [low, round(middle) if whole else middle, high, low - 1, high + 1, low - 1e-9]
     usual += [*schema.get("examples", []), *([2.5] if whole else [])]
-    return list(dict.fromkeys([*map(str, usual), "1e2", *NOT_NUMBERS]))
+    return list(dict.fromkeys([*map(str, usual), "1e2", *VALUES["not_numbers"]]))
 
 
 def _fewer(name: str, values: list[str], schema: dict[str, Any]) -> list[str]:
