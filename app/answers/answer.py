@@ -7,14 +7,19 @@ from dataclasses import dataclass
 from typing import Annotated, Any, TypeVar, dataclass_transform
 
 import numpy as np
-from pydantic import ConfigDict, GetCoreSchemaHandler
+from pydantic import ConfigDict, Field, GetCoreSchemaHandler
 from pydantic_core import CoreSchema
 
+from app.optics.errors import NotAllowed
 from app.optics.parameters import Array
 
 T = TypeVar("T")
 
-_CONFIG = ConfigDict(use_attribute_docstrings=True, arbitrary_types_allowed=True)
+_CONFIG = ConfigDict(
+    use_attribute_docstrings=True,
+    arbitrary_types_allowed=True,
+    json_schema_serialization_defaults_required=True,  # every field is sent
+)
 
 
 @dataclass_transform(frozen_default=True, kw_only_default=True)
@@ -65,6 +70,28 @@ class Table:
 
     columns: Mapping[str, Array | Sequence[Any]]
     filename: str = "fresnel.csv"
+
+
+ChosenFields = Annotated[
+    dict[str, Any], Field(description="The fields named in `fields`, where it is given.")
+]
+"""A row of which only some fields were asked for."""
+
+
+def chosen_fields(text: str | None, known: Sequence[str]) -> list[str] | None:
+    """Read the comma-separated names of fields to send, in the order of all; None for all.
+
+    Raises
+    ------
+    NotAllowed
+        If a row has no such field.
+    """
+    if text is None:
+        return None
+    names = {name.strip() for name in text.split(",")}
+    if not names <= set(known):
+        raise NotAllowed("fields", text, f"names among {', '.join(known)}")
+    return [name for name in known if name in names]
 
 
 def number_or_none(value: Array | float) -> float | None:

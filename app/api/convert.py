@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Annotated, Any
 
-import numpy as np
 from fastapi import APIRouter, Query
-from pydantic import BaseModel, BeforeValidator, Field, WithJsonSchema
+from pydantic import BeforeValidator, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
-from app.answers.interface import ResolvedPreset
-from app.api.answers import Answer
+from app.answers.answer import Table
+from app.answers.conversions import Conversions, conversions, table
 from app.api.params import InterfaceQuery, number
-from app.api.responses import CONVENTION, json_body
-from app.api.row_table import rows_csv_body
 from app.http.problems import BadParameters, ParameterError
 from app.http.query import Number, TableQuery, plain
 from app.http.route import QueryRoute
@@ -25,20 +21,11 @@ from app.optics.conversions import (
     SEEN_FROM,
     SPECULAR,
     TAKES,
-    Conversion,
     Form,
-    Known,
-    Status,
-    convert,
     hex_channels,
-    know,
 )
 from app.optics.edge_tint import EDGE_TINT, REFLECTANCE, TINT_ANGLE
 from app.optics.parameters import Parameter
-
-CHANNELS = ("red", "green", "blue")
-_SEVERITY: tuple[Status, ...] = ("exact", "lossy", "infeasible")
-_MEDIA = ("n_i", "n_t", "k_t")
 
 
 def _numbers(text: object) -> object:
@@ -86,38 +73,6 @@ class ConvertQuery(InterfaceQuery, TableQuery):
     seen_from: Number = number(SEEN_FROM)
 
 
-class ChannelOut(BaseModel):
-    """Status of one channel."""
-
-    status: Status
-    why: str
-
-
-class ConversionOut(BaseModel):
-    """One form of what was given."""
-
-    form: str
-    title: str
-    values: dict[str, float | str | list[float | None] | None] = Field(
-        description="Numbers by name, lists of three where three were given; null where there is none."
-    )
-    status: Status = Field(description="The worst of the channels.")
-    why: str
-    channels: list[ChannelOut] | None = Field(description="Of red, green and blue, if three.")
-
-
-class ConvertOut(BaseModel):
-    """Every form of what was given."""
-
-    from_: str = Field(alias="from")
-    given: dict[str, float | str | list[float]]
-    n_i: float
-    seen_from: float
-    convention: str
-    material: dict[str, Any] | None
-    results: list[ConversionOut]
-
-
 def given_values(query: ConvertQuery) -> dict[str, tuple[float, ...]]:
     """The numbers of the form that is given, each as often as there are channels.
 
@@ -161,73 +116,20 @@ def given_values(query: ConvertQuery) -> dict[str, tuple[float, ...]]:
     return {n: v if len(v) == channels else v * channels for n, v in found.items()}
 
 
-def merged(conversions: Sequence[Conversion]) -> dict[str, Any]:
-    """One result of the same form's conversions of one or three channels."""
-    first, single = conversions[0], len(conversions) == 1
-    values: dict[str, Any] = {
-        name: first.values[name] if single else [c.values[name] for c in conversions]
-        for name in first.values
-    }
-    if "hex" in values and not single:
-        values["hex"] = "#" + "".join(str(c.values["hex"])[1:3] for c in conversions)
-    worst = max(conversions, key=lambda c: _SEVERITY.index(c.status))
-    reasons = {c.why for c in conversions}
-    named = zip(CHANNELS, conversions, strict=False)
-    return {
-        "form": first.form,
-        "title": first.title,
-        "values": values,
-        "status": worst.status,
-        "why": worst.why if len(reasons) == 1 else "; ".join(f"{n}: {c.why}" for n, c in named),
-        "channels": None if single else [{"status": c.status, "why": c.why} for c in conversions],
-    }
-
-
-def _csv_rows(results: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
-    rows = []
-    for result in results:
-        for name, value in result["values"].items():
-            columns = (
-                zip(CHANNELS, value, strict=True) if isinstance(value, list) else [("value", value)]
-            )
-            rows.append({**result, "name": name, **dict(columns)})
-    return rows
-
-
 def router() -> APIRouter:
     """Routes about conversions."""
     routes = APIRouter(route_class=QueryRoute, tags=["convert"])
 
-    @routes.get("/convert", response_model=ConvertOut, summary="n, k, F0, tints and engine values")
-    def converted(query: Annotated[ConvertQuery, Query()]) -> Answer:
-        given = given_values(query)
-        single = all(len(values) == 1 for values in given.values())
-        known: list[Known] = [
-            know(query.from_, query.n_i, **dict(zip(given, channel, strict=True)))
-            for channel in zip(*given.values(), strict=True)
-        ]
-        forms = zip(*(convert(one, query.seen_from) for one in known), strict=True)
-        results = [merged(conversions) for conversions in forms]
-        if query.format == "csv":
-            numbers = ["value"] if single else [*CHANNELS]
-            # A color's hexadecimal code is one for all three channels.
-            header = ["form", "name", *dict.fromkeys(["value", *numbers]), "status", "why"]
-            rows = _csv_rows(results)
-            return rows_csv_body(header, rows, query.digits, "fresnel_convert.csv")
-        interface = query.interface()
-        material = getattr(interface, "material", None)
-        payload = {
-            "from": query.from_,
-            "given": {
-                **{n: v[0] if single else list(v) for n, v in given.items()},
-                **({} if query.hex is None else {"hex": query.hex}),
-            },
-            "n_i": float(np.asarray(interface.n_i)),
-            "seen_from": query.seen_from,
-            "convention": CONVENTION,
-            "material": None if material is None else ResolvedPreset.of(material),
-            "results": results,
-        }
-        return json_body(payload, query.digits)
+    @routes.get("/convert", response_model=Conversions, summary="n, k, F0, tints and engine values")
+    def converted(query: Annotated[ConvertQuery, Query()]) -> Conversions | Table:
+        found = conversions(
+            query.from_,
+            given_values(query),
+            n_i=query.n_i,
+            seen_from=query.seen_from,
+            hex=query.hex,
+            material=query.interface().material,
+        )
+        return table(found) if query.format == "csv" else found
 
     return routes

@@ -24,7 +24,6 @@ from app.answers.lookup_files import ERROR_HEADER, MEDIA, file_bytes
 from app.api.axes import end, swept
 from app.api.model_parameters import ModelQuery, with_parameters_of
 from app.api.params import InterfaceQuery
-from app.api.presets import reported_as
 from app.http.query import Count, LongQuery, Number
 from app.http.route import QueryRoute
 from app.http.writing import shown_as, write
@@ -119,8 +118,7 @@ def _spectral(query: LutQuery) -> Tabulated:
     for name in ("incident", "wavelength_nm"):
         if getattr(query, name) is not None:
             raise NotAllowed(name, getattr(query, name), "not beside channels = 3; give n_i")
-    with reported_as():
-        spectrum = default_catalog().spectrum(query.material)
+    spectrum = default_catalog().spectrum(query.material)
     return color_over_mu(spectrum, query.interface(), query.size)
 
 

@@ -8,9 +8,8 @@ from typing import Annotated
 from fastapi import APIRouter, Query
 from pydantic import Field
 
-from app.answers.answer import answer
+from app.answers.answer import ChosenFields, answer, chosen_fields
 from app.answers.models import DeclaredParameter, RegisteredModel
-from app.api.params import ChosenFields, chosen_fields
 from app.api.shaders import shader_url
 from app.http.problems import MissingResource
 from app.http.query import QueryModel

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Annotated, Any, Self
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any, Self
 
 from pydantic import Field, PrivateAttr, model_validator
 
 from app.answers.interface import PresetInterface
-from app.api.presets import reported_as
-from app.http.problems import BadParameters, ParameterError
+from app.http.problems import BadParameters, ParameterError, given
 from app.http.query import Count, Number, QueryModel
 from app.materials import (
     USELESS_WAVELENGTH,
@@ -18,8 +18,7 @@ from app.materials import (
     resolve_incident,
     resolve_material,
 )
-from app.optics.errors import NotAllowed
-from app.optics.interface import Interface
+from app.optics.errors import OpticsError
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, WAVELENGTH_NM, Parameter
 
 MAX_SAMPLES = 20001
@@ -110,11 +109,29 @@ class InterfaceQuery(QueryModel):
             object.__setattr__(self, "n_i", self._incident.constants.n)
         return self
 
-    def interface(self) -> Interface:
-        """Build the interface the query describes; it knows its presets, see `interface_json`."""
-        if self._material is None and self._incident is None:
-            return Interface(self.n_i, self.n_t, self.k_t)
+    def interface(self) -> PresetInterface:
+        """Build the interface the query describes; it knows its presets."""
         return PresetInterface(self.n_i, self.n_t, self.k_t, self._incident, self._material)
+
+
+@contextmanager
+def reported_as(**names: str) -> Iterator[None]:
+    """Turn what the core refuses into the API's own error, its parameters renamed.
+
+    Inside a pydantic validator nothing of the core's errors, which are ValueErrors, would be left.
+
+    Parameters
+    ----------
+    names
+        What the client calls the core's parameters.
+    """
+    try:
+        yield
+    except OpticsError as error:
+        name = names.get(error.parameter, error.parameter)
+        raise BadParameters(
+            {"parameter": name, "value": given(error), "message": error.allowed}
+        ) from None
 
 
 def refuse_beside(query: QueryModel, preset: str, *numbers: str) -> None:
@@ -159,25 +176,3 @@ class SamplesQuery(QueryModel):
         description="Add Brewster's, the critical, the pseudo-Brewster and the principal angle to "
         "the samples.",
     )
-
-
-ChosenFields = Annotated[
-    dict[str, Any], Field(description="The fields named in `fields`, where it is given.")
-]
-"""A row of which only some fields were asked for."""
-
-
-def chosen_fields(text: str | None, known: Sequence[str]) -> list[str] | None:
-    """Read the comma-separated names of fields to send, in the order of all; None for all.
-
-    Raises
-    ------
-    NotAllowed
-        If a row has no such field.
-    """
-    if text is None:
-        return None
-    names = {name.strip() for name in text.split(",")}
-    if not names <= set(known):
-        raise NotAllowed("fields", text, f"names among {', '.join(known)}")
-    return [name for name in known if name in names]

@@ -49,6 +49,11 @@ class QueryModel(BaseModel):
         """Whether the answer is computed in a thread, so that others do not wait for it."""
         return False
 
+    @property
+    def lasts(self) -> bool:
+        """Whether many ask for just this, so that it is compressed thoroughly."""
+        return False
+
     def refuse_beyond(self, max_samples: int, max_cells: int) -> None:
         """Refuse more than an operator lets the server compute at once.
 

@@ -85,7 +85,7 @@ class QueryRoute(APIRoute):
                 response.headers.setdefault("cache-control", lifetime)
                 return response
 
-            scope["effort"] = self.effort
+            scope["effort"] = "thorough" if query is not None and query.lasts else self.effort
             if query is None:
                 return work()
             query.refuse_beyond(serving.max_samples, serving.max_cells)

@@ -8,12 +8,13 @@ every result that holds an end value or such a k says so in its warnings.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from app.materials.spectrum import Spectrum
-from app.optics.amplitudes import Power, power
+from app.optics.amplitudes import reflectance
 from app.optics.color import (
     Adaptation,
     Illuminant,
@@ -22,13 +23,25 @@ from app.optics.color import (
     luminance,
     srgb_weights,
 )
+from app.optics.errors import OutOfRange
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.optics.parameters import Array
+from app.optics.parameters import K_T, N_I, N_T, Array
 from app.optics.specular import F82, tint_at_82
 
 ANGLES_AT_ONCE = 256
 """Angles whose 471 wavelengths are in memory together."""
+
+
+class Viewing(NamedTuple):
+    """Under which light, by which observer a color is seen; arguments of what integrates spectra."""
+
+    illuminant: Illuminant = "D65"
+    observer: Observer = "cie1931_2deg"
+    adaptation: Adaptation = "bradford"
+
+
+DAYLIGHT = Viewing()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -65,39 +78,37 @@ def interface(spectrum: Spectrum, wavelength_nm: ArrayLike, n_i: ArrayLike = 1.0
     ------
     WavelengthOutOfRange
         If n, or k where the source gives any, is not known at a wavelength.
+    OutOfRange
+        If n or k is beyond what the core takes, as those of metals in the far infrared.
     """
     n, k = spectrum.n(wavelength_nm), spectrum.k(wavelength_nm)
-    return Interface(n_i, n, 0.0 if k is None else k)
+    try:
+        return Interface(n_i, n, 0.0 if k is None else k)
+    except OutOfRange as error:
+        at = np.asarray(wavelength_nm)[(n if error.parameter == "n_t" else k) == error.value]
+        raise OutOfRange(
+            "wavelength_nm",
+            at[0] if at.size else None,
+            f"one where {error.parameter} is {error.allowed}; "
+            f"of {spectrum.id} it is {error.value:.5g} here",
+        ) from None
 
 
-def reflectance(
-    spectrum: Spectrum, incidence: Incidence, wavelength_nm: ArrayLike, n_i: ArrayLike = 1.0
-) -> Power:
-    """Reflected and transmitted power over angles and wavelengths.
-
-    Parameters
-    ----------
-    spectrum
-        The second medium.
-    incidence
-        Directions, any shape.
-    wavelength_nm
-        Wavelengths in nanometers, any shape.
-    n_i
-        Real index of the incident medium: one number, or one for each wavelength.
+def normal_reflectance(n: Array, k: Array | None) -> tuple[Array, list[str]]:
+    """F0 from vacuum where n and k are known and within the core's bounds, else NaN.
 
     Returns
     -------
-    Power
-        Arrays of the angles' shape followed by the wavelengths'.
-
-    Raises
-    ------
-    WavelengthOutOfRange
-        If n, or k where the source gives any, is not known at a wavelength.
+    tuple
+        F0, and what has to be said of it.
     """
-    axes = np.ndim(wavelength_nm)
-    return power(interface(spectrum, wavelength_nm, n_i), _beside(incidence, axes))
+    absorbing = np.zeros_like(n) if k is None else k
+    known = np.isfinite(n) & np.isfinite(absorbing)
+    computed = known & (n >= N_T.minimum) & (n <= N_T.maximum) & (absorbing <= K_T.maximum)
+    F0 = np.full(n.shape, np.nan)
+    F0[computed] = Interface(1.0, n[computed], absorbing[computed]).F0
+    beyond = f"F0 is not computed where n is not {N_T.allowed} or k above {K_T.maximum:g}"
+    return F0, [] if np.array_equal(known, computed) else [beyond]
 
 
 def color_curve(
@@ -129,11 +140,11 @@ def color_curve(
     seen = spectrum.visible
     boundary = Interface(n_i, seen.n, seen.k)
     weights = srgb_weights(illuminant, observer, adaptation)
-    cos, sin = incidence.cos.ravel(), incidence.sin.ravel()
+    cos, sin = incidence.cos.reshape(-1, 1), incidence.sin.reshape(-1, 1)
     rows = [
-        power(boundary, _beside(Incidence(cos[at], sin[at]), 1)).R @ weights
+        reflectance(boundary, Incidence(cos[at], sin[at])) @ weights
         for at in (
-            slice(first, first + ANGLES_AT_ONCE) for first in range(0, cos.size, ANGLES_AT_ONCE)
+            slice(first, first + ANGLES_AT_ONCE) for first in range(0, len(cos), ANGLES_AT_ONCE)
         )
     ]
     stacked = np.concatenate(rows) if rows else np.empty((0, 3))
@@ -183,7 +194,23 @@ def rgb_constants(
     return np.maximum(n, 1e-3), np.maximum(k, 0.0)
 
 
-def _beside(incidence: Incidence, axes: int) -> Incidence:
-    """Incidence with trailing axes of length 1, to broadcast against wavelengths."""
-    after = (...,) + (np.newaxis,) * axes
-    return Incidence(incidence.cos[after], incidence.sin[after])
+def averaged_interface(
+    spectrum: Spectrum, n_i: ArrayLike = 1.0, viewing: Viewing = DAYLIGHT
+) -> Interface:
+    """Boundary whose constants are averaged over each channel, of shape (3, 1).
+
+    Parameters
+    ----------
+    spectrum, n_i
+        As in `color_curve`.
+    viewing
+        How the channels are made.
+    """
+    front = np.full(3, n_i) if np.ndim(n_i) == 0 else linear_srgb(n_i, *viewing)
+    n, k = rgb_constants(spectrum, *viewing)
+    return Interface(
+        *(
+            np.clip(values, bounds.minimum, bounds.maximum)[:, np.newaxis]
+            for values, bounds in ((front, N_I), (n, N_T), (k, K_T))
+        )
+    )

@@ -10,6 +10,7 @@ import numpy as np
 
 from app.materials.catalog import Catalog, Constants, load_catalog
 from app.materials.schema import Preset
+from app.materials.spectrum import UNKNOWN_K
 from app.optics.errors import NotAllowed, OutOfRange
 from app.optics.parameters import K_T, N_T, Array, Parameter
 
@@ -107,7 +108,7 @@ def _warnings_as_material(preset: Preset, constants: Constants) -> list[str]:
     _within_bounds(preset, constants)
     warnings = _of_the_middle(preset)
     if constants.k is None:
-        warnings.append("k is not known and counts as 0")
+        warnings.append(UNKNOWN_K)
     elif 0.0 < constants.k < NEGLIGIBLE_K:
         warnings.append(
             f"k = {constants.k:.3g} is below {NEGLIGIBLE_K:g} and counts as 0; "
@@ -137,7 +138,7 @@ def transparency_warnings(preset: Preset, k: float | None) -> list[str]:
         If it absorbs.
     """
     if k is None:
-        return ["k is not known and counts as 0"]
+        return [UNKNOWN_K]
     if k >= NEGLIGIBLE_K:
         raise NotAllowed("incident", preset.id, transparent(k))
     return [f"k = {k:.3g} is left out: n_i is real"] if k > 0.0 else []

@@ -1,10 +1,15 @@
-"""What the files of the data directory may contain; an unknown key is an error."""
+"""What the files of the data directory may contain; an unknown key is an error.
+
+What answers pass on as it was read, a preset or a provenance, is a dataclass: OpenAPI takes the
+descriptions of its fields from here.
+"""
 
 from __future__ import annotations
 
 from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic.dataclasses import dataclass
 
 Category = Literal[
     "vacuum",
@@ -39,25 +44,27 @@ class Strict(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
-class Color(Strict):
-    """Linear sRGB of the reflected light under D65 for the 2 degree observer, not clamped.
+PASSED_ON = ConfigDict(
+    extra="forbid", allow_inf_nan=False, json_schema_serialization_defaults_required=True
+)
+"""Of what is read as strictly and sent as it is; answers that add to it keep its descriptions."""
 
-    Values are rounded to six decimals; `app.materials.appearance` has them in full.
 
-    Attributes
-    ----------
-    F0, F82
-        Reflectance at normal incidence and at cos(theta_i) = 1/7, integrated over the spectrum.
-    F82_tint
-        F82 over Schlick's value there, what the F82-tint model takes.
-    luminance
-        Luminous reflectance Y at normal incidence.
+@dataclass(frozen=True, kw_only=True, config=PASSED_ON)
+class Color:
+    """Linear sRGB of the reflected light, not clamped.
+
+    In the files it is that under D65 for the 2 degree observer, rounded to six decimals;
+    `app.materials.appearance` has it in full.
     """
 
-    F0: Channels
-    F82: Channels
-    F82_tint: Channels
-    luminance: float
+    F0: Annotated[Channels, Field(description="At normal incidence, from the exact spectrum.")]
+    F82: Annotated[Channels, Field(description="At cos(theta_i) = 1/7.")]
+    F82_tint: Annotated[
+        Channels,
+        Field(description="F82 over Schlick's there: the tint of the F82-tint model."),
+    ]
+    luminance: Annotated[float, Field(description="Luminous reflectance Y at normal incidence.")]
 
 
 class Row(Strict):
@@ -100,56 +107,55 @@ class Table(Strict):
     rows: tuple[Row, ...]
 
 
-class Preset(Strict):
-    """A material as lists show it, with its constants at one reference wavelength.
-
-    Attributes
-    ----------
-    kind
-        "spectrum" has a file of its own in `spectra/`; "single" is one index of a table.
-    rival_of
-        Id of the material that this is another measurement of.
-    n, k
-        Constants at `wavelength_nm`, to ten digits. `k` is None where the source does not give it,
-        which is not the same as 0.
-    n_range_nm, k_range_nm
-        Where they are known. None where the source names no wavelength or no k.
-    source
-        The reference, in the words of its authors' citation.
-    F0
-        Reflectance at normal incidence from vacuum at `wavelength_nm`; a k that is not known
-        counts as 0.
-    abbe
-        Abbe number of the d, F and C lines, for transparent materials known at all three.
-    """
+@dataclass(frozen=True, kw_only=True, config=PASSED_ON)
+class Preset:
+    """A material as lists show it, with its constants at one reference wavelength to ten digits."""
 
     id: Id
     name: Text
     category: Category
     aliases: tuple[Text, ...] = ()
-    kind: Literal["single", "spectrum"]
-    rival_of: Id | None = None
+    kind: Annotated[
+        Literal["single", "spectrum"],
+        Field(
+            description="`spectrum` has n over the wavelength; `single` is one index of a table."
+        ),
+    ]
+    rival_of: Annotated[
+        Id | None, Field(description="The preset this is another measurement of.")
+    ] = None
     axis: Axis = "isotropic"
-    n: float = Field(gt=0)
-    n_min: float | None = None
+    n: Annotated[float, Field(gt=0, description="At wavelength_nm.")]
+    n_min: Annotated[
+        float | None, Field(description="Where the source gives a range, n is its middle.")
+    ] = None
     n_max: float | None = None
-    k: float | None = Field(default=None, ge=0)
-    wavelength_nm: float | None
-    n_range_nm: Range | None
-    k_range_nm: Range | None
-    sample: Sample
+    k: Annotated[
+        float | None, Field(ge=0, description="Null where the source does not give it: not 0.")
+    ] = None
+    wavelength_nm: Annotated[
+        float | None,
+        Field(description="Reference wavelength in nm; null where the source names none."),
+    ]
+    n_range_nm: Annotated[Range | None, Field(description="Where n is known, in nm.")]
+    k_range_nm: Annotated[Range | None, Field(description="Where k is known, in nm.")]
+    sample: Annotated[Sample, Field(description="What was measured.")]
     confidence: Confidence
-    source: Text
+    source: Annotated[Text, Field(description="The reference.")]
     doi: tuple[Text, ...] = ()
     licence: Text
     note: Text | None = None
     warnings: tuple[Text, ...] = ()
-    F0: float = Field(ge=0, le=1)
-    color: Color
-    abbe: float | None = None
+    F0: Annotated[
+        float,
+        Field(ge=0, le=1, description="From vacuum at wavelength_nm; a k not known counts as 0."),
+    ]
+    color: Annotated[Color, Field(description="Under D65, to six decimals.")]
+    abbe: Annotated[float | None, Field(description="Abbe number of transparent materials.")] = None
 
 
-class Database(Strict):
+@dataclass(frozen=True, kw_only=True, config=PASSED_ON)
+class Database:
     """The release that the spectra were taken from."""
 
     name: Text
@@ -166,7 +172,8 @@ class Index(Strict):
     presets: tuple[Preset, ...]
 
 
-class Points(Strict):
+@dataclass(frozen=True, kw_only=True, config=PASSED_ON)
+class Points:
     """Native points of a table, in order, between which values are interpolated linearly."""
 
     kind: Literal["points"]
@@ -183,11 +190,12 @@ class Points(Strict):
         return self
 
 
-class Formula(Strict):
+@dataclass(frozen=True, kw_only=True, config=PASSED_ON)
+class Formula:
     """A dispersion formula by its number in the database, wavelengths in micrometers."""
 
     kind: Literal["formula"]
-    number: int = Field(ge=1, le=9)
+    number: int = Field(ge=1, le=9, description="Of refractiveindex.info's formulas.")
     coefficients: tuple[float, ...]
     range_nm: Range
 
@@ -195,7 +203,8 @@ class Formula(Strict):
 Quantity = Annotated[Points | Formula, Field(discriminator="kind")]
 
 
-class Provenance(Strict):
+@dataclass(frozen=True, kw_only=True, config=PASSED_ON)
+class Provenance:
     """Where a spectrum comes from, down to the bytes of the file."""
 
     database: Text

@@ -11,12 +11,17 @@ from numpy.typing import ArrayLike
 
 from app.materials.dispersion import refractive_index
 from app.materials.errors import WavelengthOutOfRange
-from app.materials.schema import Formula, Quantity, SpectrumFile
+from app.materials.schema import Formula, Points, Quantity, SpectrumFile
 from app.optics.color import WAVELENGTH_NM
 from app.optics.parameters import Array
 
 D_LINE_NM, F_LINE_NM, C_LINE_NM = 587.5618, 486.1327, 656.2725
 """Spectral lines of the Abbe number: He d, H F and H C."""
+
+UNKNOWN_K = "k is not known and counts as 0"
+
+FORMULA_POINTS = 241
+"""Wavelengths in equal ratios that are enough to draw a formula."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -94,12 +99,45 @@ class Spectrum:
             return low, high
         return max(low, self.k_range_nm[0]), min(high, self.k_range_nm[1])
 
+    @property
+    def known_range_nm(self) -> tuple[float, float]:
+        """Where n or k is known."""
+        (low, high), k = self.n_range_nm, self.k_range_nm
+        return (low, high) if k is None else (min(low, k[0]), max(high, k[1]))
+
+    @property
+    def unknown_k(self) -> tuple[str, ...]:
+        """Say that k counts as 0, where it does."""
+        return (UNKNOWN_K,) if self.k_range_nm is None else ()
+
+    def n_or_nan(self, wavelength_nm: Array) -> Array:
+        """Refractive index, NaN where it is not known."""
+        return _or_nan(self._n, self.n_range_nm, wavelength_nm)
+
+    def k_or_nan(self, wavelength_nm: Array) -> Array | None:
+        """Extinction coefficient, NaN where it is not known, or None where it is so everywhere."""
+        if self._k is None or self.k_range_nm is None:
+            return None
+        return _or_nan(self._k, self.k_range_nm, wavelength_nm)
+
+    def native_wavelengths(self, low: float, high: float) -> Array:
+        """The source's own points from `low` to `high`, and enough of a formula to draw it."""
+        nodes = [
+            np.array(q.wavelength_nm)
+            if isinstance(q, Points)
+            else np.geomspace(*q.range_nm, FORMULA_POINTS)
+            for q in (self.file.n, self.file.k)
+            if q is not None
+        ]
+        together = np.unique(np.concatenate(nodes))
+        return together[(together >= low) & (together <= high)]
+
     @cached_property
     def visible(self) -> Visible:
         """n and k over the visible for color, which needs them everywhere; see `Visible`."""
         n = self._n(np.clip(WAVELENGTH_NM, *self.n_range_nm))
         if self._k is None or self.k_range_nm is None:
-            warnings = (*_held("n", self.n_range_nm), "k is not known and counts as 0")
+            warnings = (*_held("n", self.n_range_nm), UNKNOWN_K)
             return Visible(n, np.zeros_like(n), warnings)
         k = self._k(np.clip(WAVELENGTH_NM, *self.k_range_nm))
         if self.n_range_nm == self.k_range_nm:
@@ -122,6 +160,15 @@ class Spectrum:
         inside = (wavelengths >= span[0]) & (wavelengths <= span[1])  # NaN compares false
         if not inside.all():
             raise WavelengthOutOfRange(self.id, quantity, wavelengths[~inside].flat[0], *span)
+
+
+def _or_nan(
+    curve: Callable[[Array], Array], span: tuple[float, float], wavelength_nm: Array
+) -> Array:
+    inside = (wavelength_nm >= span[0]) & (wavelength_nm <= span[1])
+    values: Array = np.full(wavelength_nm.shape, np.nan)
+    values[inside] = curve(wavelength_nm[inside])
+    return values
 
 
 def _held(what: str, span: tuple[float, float]) -> tuple[str, ...]:

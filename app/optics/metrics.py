@@ -122,6 +122,16 @@ def point_error(
     return error
 
 
+def root_mean_square(error: Array, nodes: Nodes) -> Array:
+    """Root mean square over the hemisphere of errors at nodes, each solid angle alike."""
+    return np.asarray(np.sqrt(np.sum(nodes.w * error * error, axis=-1)))
+
+
+def cosine_weighted_mean(error: Array, nodes: Nodes) -> Array:
+    """Mean of signed errors at nodes weighted by the cosine: the error of the albedo."""
+    return np.asarray(2.0 * np.sum(nodes.w * nodes.mu * error, axis=-1))
+
+
 def measure(
     model: Model,
     interface: Interface,
@@ -259,9 +269,9 @@ def _metrics(
         error = np.where(gaps, 0.0, error)
     result: dict[Metric, Array] = {}
     if "rms" in wanted:
-        result["rms"] = np.sqrt(np.sum(nodes.w * error * error, axis=1))
+        result["rms"] = root_mean_square(error, nodes)
     if "cosine_weighted_mean" in wanted:
-        result["cosine_weighted_mean"] = 2.0 * np.sum(nodes.w * nodes.mu * error, axis=1)
+        result["cosine_weighted_mean"] = cosine_weighted_mean(error, nodes)
 
     def largest_of(values: Array, function: Callable[[Array], Array]) -> Peaks:
         if nodes.mu.ndim == 2:

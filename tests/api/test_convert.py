@@ -10,8 +10,9 @@ from typing import Any
 import httpx
 import pytest
 
-from app.api.convert import ConvertOut
+from app.answers.conversions import Conversions
 from app.optics.color import decode_srgb
+from tests.api.shapes import json_of
 
 Get = Callable[..., httpx.Response]
 
@@ -25,9 +26,7 @@ def get(ask: Callable[..., httpx.Response]) -> Get:
 
 
 def results(answer: httpx.Response) -> dict[str, dict[str, Any]]:
-    assert answer.status_code == 200, answer.text
-    ConvertOut.model_validate(answer.json())
-    return {result["form"]: result for result in answer.json()["results"]}
+    return {result["form"]: result for result in json_of(Conversions, answer)["results"]}
 
 
 @pytest.mark.parametrize(

@@ -9,11 +9,14 @@ import httpx
 import numpy as np
 import pytest
 from fastapi import FastAPI
+from pydantic import TypeAdapter
 
-from app.api.materials.schemas import MaterialDetailOut, MaterialsOut
+from app.answers.materials.detail import MaterialDetail
+from app.answers.materials.listing import Material, Materials
 from app.materials import appearance, default_catalog
 from app.optics.color import decode_srgb
 from app.optics.interface import Interface
+from tests.api.shapes import json_of
 
 Ask = Callable[..., httpx.Response]
 IDS = [preset.id for preset in default_catalog().presets]
@@ -41,8 +44,9 @@ def ids(answer: httpx.Response) -> list[str]:
 
 
 def test_the_list_is_whole_and_as_declared(ask: Ask) -> None:
-    answer = ask("/materials").json()
-    MaterialsOut.model_validate(answer)
+    answer = json_of(Materials, ask("/materials"))
+    for row in answer["materials"]:  # the list may hold rows of some fields as well
+        TypeAdapter(Material).validate_python(row, extra="forbid")
     assert [m["id"] for m in answer["materials"]] == IDS
     assert answer["total"] == len(IDS) == sum(answer["categories"].values())
     assert (answer["offset"], answer["limit"], answer["suggestions"]) == (0, None, [])
@@ -51,10 +55,6 @@ def test_the_list_is_whole_and_as_declared(ask: Ask) -> None:
         assert material["licence"]
         assert material["swatch"]["gamut"] == "scaled"
         assert material["swatch"]["hex"].startswith("#")
-
-
-def test_the_ready_list_is_the_one_computed(ask: Ask) -> None:
-    assert ask("/materials").content == ask("/materials", offset=0).content
 
 
 def test_pages_together_are_the_list(ask: Ask) -> None:
@@ -103,8 +103,7 @@ def test_digits(ask: Ask) -> None:
 
 @pytest.mark.parametrize("id", IDS)
 def test_every_preset_has_a_page(ask: Ask, id: str) -> None:  # noqa: A002
-    answer = ask(f"/materials/{id}").json()
-    MaterialDetailOut.model_validate(answer)
+    answer = json_of(MaterialDetail, ask(f"/materials/{id}"))
     listed = default_catalog().get(id)
     assert answer["constants"]["n"] == pytest.approx(listed.n, rel=1e-9)
     assert answer["constants"]["F0"] == pytest.approx(listed.F0, abs=1e-9)

@@ -11,10 +11,8 @@ from app.materials import (
     appearance,
     color_curve,
     interface,
-    reflectance,
     rgb_constants,
 )
-from app.optics.amplitudes import power
 from app.optics.color import WAVELENGTH_NM, luminance
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
@@ -22,33 +20,20 @@ from app.optics.specular import MU_BAR, tint_at_82
 
 ROUNDING = 1e-12
 INDEX_DECIMALS = 5.1e-7
-ANGLES = Incidence.from_degrees(np.linspace(0.0, 90.0, 13))
 
 
-def test_shape_is_the_angles_then_the_wavelengths(catalog: Catalog) -> None:
+def test_shape_is_the_angles_then_the_channels(catalog: Catalog) -> None:
     copper = catalog.spectrum("Cu")
-    grid = Incidence.from_degrees(np.zeros((2, 4)))
-    assert reflectance(copper, grid, [500.0, 600.0, 700.0]).R.shape == (2, 4, 3)
-    assert reflectance(copper, grid, 500.0).R.shape == (2, 4)
-    assert reflectance(copper, Incidence.from_degrees(0.0), 500.0).R.shape == ()
-    assert color_curve(copper, grid).shape == (2, 4, 3)
+    assert color_curve(copper, Incidence.from_degrees(np.zeros((2, 4)))).shape == (2, 4, 3)
     assert color_curve(copper, Incidence.from_degrees(10.0)).shape == (3,)
     assert color_curve(copper, Incidence.from_degrees([])).shape == (0, 3)
 
 
-def test_each_value_is_the_exact_one(catalog: Catalog) -> None:
-    copper = catalog.spectrum("Cu")
-    table = reflectance(copper, ANGLES, [450.0, 650.0], n_i=[1.34, 1.33]).R
-    for column, (wavelength, n_i) in enumerate([(450.0, 1.34), (650.0, 1.33)]):
-        alone = power(interface(copper, wavelength, n_i), ANGLES).R
-        np.testing.assert_array_equal(table[:, column], alone)
-
-
-def test_reflectance_is_refused_where_n_or_k_is_not_known(catalog: Catalog) -> None:
+def test_an_interface_is_refused_where_n_or_k_is_not_known(catalog: Catalog) -> None:
     with pytest.raises(WavelengthOutOfRange, match="n of Cu"):
-        reflectance(catalog.spectrum("Cu"), ANGLES, [500.0, 2000.0])
+        interface(catalog.spectrum("Cu"), [500.0, 2000.0])
     with pytest.raises(WavelengthOutOfRange, match="k of LASF9"):
-        reflectance(catalog.spectrum("LASF9"), ANGLES, 367.0)
+        interface(catalog.spectrum("LASF9"), 367.0)
 
 
 def test_unknown_k_reflects_as_a_dielectric(catalog: Catalog) -> None:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from hashlib import sha256
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from pydantic import TypeAdapter
 
 from app.materials.schema import Database, Preset, Provenance, SpectrumFile
 from app.materials.spectrum import Spectrum
@@ -41,10 +43,8 @@ def generated_files(root: Path) -> dict[str, str]:
     for table in read_tables(directory):
         presets.extend(row_presets(table))
     _refuse_ambiguity(presets)
-    listed = [preset.model_dump(mode="json", exclude_defaults=True) for preset in presets]
-    files["materials/index.json"] = list_text(
-        {"database": database.model_dump()}, "presets", listed
-    )
+    listed = TypeAdapter(list[Preset]).dump_python(presets, mode="json", exclude_defaults=True)
+    files["materials/index.json"] = list_text({"database": asdict(database)}, "presets", listed)
     files[SAMPLES] = list_text({"package": database.package}, "samples", samples)
     files["materials/lock.json"] = _lock(database, pages, files)
     return files
@@ -111,7 +111,7 @@ def _refuse_ambiguity(presets: list[Preset]) -> None:
 
 def _lock(database: Database, pages: dict[str, str], files: dict[str, str]) -> str:
     head = {
-        "database": database.model_dump(),
+        "database": asdict(database),
         "color_tables": f"colour-science {version('colour-science')}",
         "pages": dict(sorted(pages.items())),
     }

@@ -2,21 +2,107 @@
 
 from __future__ import annotations
 
-from fastapi import APIRouter
+from dataclasses import fields
+from typing import Annotated
 
-from app.api.materials.color_curves import add_curves
-from app.api.materials.detail import add_detail
-from app.api.materials.listing import add_list
-from app.api.materials.spectral import add_spectrum_and_map
+from fastapi import APIRouter, Query
+
+from app.answers.answer import chosen_fields
+from app.answers.materials.curves import MaterialCurves
+from app.answers.materials.curves import curves as evaluated
+from app.answers.materials.detail import MaterialDetail, detail
+from app.answers.materials.listing import Material, Materials
+from app.answers.materials.listing import materials as listed
+from app.answers.materials.map import MaterialMap, reflectance_map
+from app.answers.materials.spectrum import MaterialSpectrum
+from app.answers.materials.spectrum import spectrum as constants
+from app.api.materials.queries import (
+    DetailQuery,
+    ListQuery,
+    MapQuery,
+    MaterialCurvesQuery,
+    SpectrumQuery,
+)
+from app.api.params import reported_as
+from app.http.problems import MissingResource
 from app.http.route import QueryRoute
+from app.materials import Preset, UnknownMaterial, default_catalog
 from app.optics.registry import Registry, default_registry
 
 
 def router(registry: Registry | None = None) -> APIRouter:
     """Routes over the catalog; colors are compared by those of `registry`'s models that take them."""
     routes = APIRouter(route_class=QueryRoute, tags=["materials"])
-    add_list(routes)
-    add_detail(routes)
-    add_spectrum_and_map(routes)
-    add_curves(routes, registry or default_registry())
+    models = registry or default_registry()
+
+    @routes.get("/materials", summary="Media and materials by name")
+    def materials(query: Annotated[ListQuery, Query()]) -> Materials:
+        return listed(
+            query.q,
+            query.category,
+            query.kind,
+            offset=query.offset,
+            limit=query.limit,
+            gamut=query.gamut,
+            fields=chosen_fields(query.fields, [field.name for field in fields(Material)]),
+        )
+
+    @routes.get(
+        "/materials/{material}", summary="One material: constants, color, provenance, rivals"
+    )
+    def one(material: str, query: Annotated[DetailQuery, Query()]) -> MaterialDetail:
+        return detail(
+            found(material),
+            wavelength_nm=query.wavelength_nm,
+            viewing=query.viewing(),
+            gamut=query.gamut,
+        )
+
+    @routes.get("/materials/{material}/spectrum", summary="n, k and F0 over the wavelength")
+    def spectrum(material: str, query: Annotated[SpectrumQuery, Query()]) -> MaterialSpectrum:
+        return constants(found(material), query.minimum_nm, query.maximum_nm, query.step_nm)
+
+    @routes.get("/materials/{material}/map", summary="Reflectance over angle and wavelength")
+    def theta_by_wavelength(material: str, query: Annotated[MapQuery, Query()]) -> MaterialMap:
+        return reflectance_map(
+            found(material),
+            query.front(),
+            query.quantity,
+            minimum_nm=query.minimum_nm,
+            maximum_nm=query.maximum_nm,
+            steps=query.steps,
+            samples=query.samples,
+        )
+
+    @routes.get(
+        "/materials/{material}/curves",
+        summary="R over the angle, per wavelength and as R, G and B",
+    )
+    def curves(material: str, query: Annotated[MaterialCurvesQuery, Query()]) -> MaterialCurves:
+        preset, chosen = found(material), query.chosen(models)
+        with reported_as(wavelength_nm="wavelengths_nm"):
+            return evaluated(
+                preset,
+                query.front(),
+                wavelengths_nm=query.wavelengths(),
+                samples=query.samples,
+                models=chosen,
+                viewing=query.viewing(),
+                gamut=query.gamut,
+            )
+
     return routes
+
+
+def found(material: str) -> Preset:
+    """Look up the preset of a path.
+
+    Raises
+    ------
+    MissingResource
+        If there is none, naming the nearest.
+    """
+    try:
+        return default_catalog().get(material)
+    except UnknownMaterial as error:
+        raise MissingResource(error) from None

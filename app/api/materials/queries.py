@@ -1,57 +1,71 @@
-"""What the routes over materials share: the path's preset, the medium in front, colors, lists."""
+"""Queries of the routes over materials: lists, the medium in front, ranges and colors."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, Self
+from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
 
-from app.api.params import number, preset_name, refuse_beside
-from app.api.presets import reported_as
-from app.http.problems import MissingResource
-from app.http.query import Number, QueryModel
-from app.materials import (
-    NoSpectrum,
-    Preset,
-    Spectrum,
-    UnknownMaterial,
-    default_catalog,
-    transparency_warnings,
-)
+from app.answers.materials.map import Quantity
+from app.api.model_parameters import ModelsParameter, parse_models
+from app.api.params import MAX_SAMPLES, number, preset_name, refuse_beside, reported_as, wavelength
+from app.http.problems import BadParameters, ParameterError
+from app.http.query import Count, DigitsQuery, Number, QueryModel, TableQuery
+from app.materials import Category, Front, Viewing
 from app.optics.color import Adaptation, Gamut, Illuminant, Observer
-from app.optics.errors import NotAllowed, OutOfRange
-from app.optics.interface import Interface
+from app.optics.errors import NotAllowed
 from app.optics.parameters import N_I, Array
-
-MOST_VALUES = 250_000
-"""Cells of a map, or values of all curves together."""
-
-GAMUT = (
-    "What is done about colors that sRGB cannot show: `unclamped` nothing, `clamped` cuts each "
-    "channel to 0 and 1, `scaled` divides by the largest channel where that exceeds 1."
-)
+from app.optics.registry import Model, Registry
 
 
-def found(material: str) -> Preset:
-    """Look up the preset of a path.
-
-    Raises
-    ------
-    MissingResource
-        If there is none, naming the nearest.
-    """
-    try:
-        return default_catalog().get(material)
-    except UnknownMaterial as error:
-        raise MissingResource(error) from None
+def _gamut(default: Gamut) -> Any:
+    return Field(
+        default,
+        description="What is done about colors that sRGB cannot show: `unclamped` nothing, "
+        "`clamped` cuts each channel to 0 and 1, `scaled` divides by the largest channel where that "
+        "exceeds 1.",
+    )
 
 
-def described(preset: Preset) -> dict[str, Any]:
-    """Say what an answer is about, and where that comes from."""
-    fields = {"id", "name", "category", "axis", "sample", "confidence", "source", "doi", "licence"}
-    return preset.model_dump(mode="json", include=fields)
+def _samples(default: int) -> Any:
+    return Field(
+        default,
+        ge=2,
+        le=MAX_SAMPLES,
+        description="Equally spaced angles from 0 to 90 degrees, both ends included.",
+    )
+
+
+class ListQuery(DigitsQuery):
+    """Which presets."""
+
+    q: str | None = Field(
+        None,
+        max_length=100,
+        description="Part of a name, an alias, an id or a reference; best matches come first.",
+        examples=["gold"],
+    )
+    category: Category | None = Field(None, description="Only presets of this category.")
+    kind: Literal["spectrum", "single"] | None = Field(
+        None, description="Only measured spectra, or only single indices of tables."
+    )
+    offset: Count = Field(0, ge=0, le=100_000, description="How many to leave out at the start.")
+    limit: Count | None = Field(
+        None, ge=1, le=1000, description="How many to send at most; all unless given."
+    )
+    gamut: Gamut = _gamut("scaled")
+    fields: str | None = Field(
+        None,
+        max_length=500,
+        description="Comma-separated names of what to send of each preset; all unless given.",
+        examples=["id,name,category,n,k"],
+    )
+
+    @property
+    def lasts(self) -> bool:
+        """Whether it is the whole list, or some fields of it, that pages start with."""
+        return self.model_fields_set <= {"fields"}
 
 
 class ColorQuery(QueryModel):
@@ -64,59 +78,21 @@ class ColorQuery(QueryModel):
         description="How the illuminant's white becomes that of sRGB, D65; `none` leaves its cast.",
     )
 
+    def viewing(self) -> Viewing:
+        """Return the three together."""
+        return Viewing(self.illuminant, self.observer, self.adaptation)
 
-@dataclass(frozen=True, slots=True)
-class Front:
-    """The medium in front of a material, at any wavelength."""
 
-    n_i: float
-    preset: Preset | None
-    spectrum: Spectrum | None
+class DetailQuery(ColorQuery, DigitsQuery):
+    """How one preset is shown."""
 
-    def range_beside(self, spectrum: Spectrum) -> tuple[float, float]:
-        """Where this medium and the one behind it are both known.
-
-        Raises
-        ------
-        NotAllowed
-            If nowhere.
-        """
-        low, high = spectrum.range_nm
-        if self.spectrum is None:
-            return low, high
-        own = self.spectrum.range_nm
-        if max(low, own[0]) > min(high, own[1]):
-            raise NotAllowed(
-                "incident",
-                self.spectrum.id,
-                f"a medium known somewhere from {low:.10g} to {high:.10g} nm",
-            )
-        return max(low, own[0]), min(high, own[1])
-
-    def at(self, wavelength_nm: Array) -> tuple[Array | float, list[str]]:
-        """Return n_i at wavelengths, and what has to be said about it."""
-        if self.preset is None or self.spectrum is None:
-            return self.n_i, []
-        with reported_as():
-            n, k = self.spectrum.n(wavelength_nm), self.spectrum.k(wavelength_nm)
-            said = transparency_warnings(self.preset, None if k is None else float(k.max()))
-        return n, [f"{self.preset.id}: {warning}" for warning in said]
-
-    def visible(self) -> tuple[Array | float, list[str]]:
-        """Return n_i over the visible, end values held, and what has to be said about it."""
-        if self.preset is None or self.spectrum is None:
-            return self.n_i, []
-        seen = self.spectrum.visible
-        said = list(seen.warnings)
-        if self.spectrum.k_range_nm is not None:
-            with reported_as():
-                said += transparency_warnings(self.preset, float(seen.k.max()))
-        return seen.n, [f"{self.preset.id}: {warning}" for warning in said]
-
-    def as_json(self) -> dict[str, Any]:
-        """Say what it is: a number, or a preset whose index varies."""
-        name = None if self.preset is None else described(self.preset)
-        return {"n_i": self.n_i if self.spectrum is None else None, "incident": name}
+    wavelength_nm: Number | None = wavelength(
+        None,
+        "Where the constants are evaluated, in nm, within the preset's own range; by default its "
+        "reference wavelength.",
+        examples=[587.6],
+    )
+    gamut: Gamut = _gamut("scaled")
 
 
 class FrontQuery(QueryModel):
@@ -141,90 +117,126 @@ class FrontQuery(QueryModel):
             If there is no such preset, or it is a single index.
         """
         if self.incident is None:
-            return Front(self.n_i, None, None)
-        catalog = default_catalog()
+            return Front(self.n_i)
         with reported_as(material="incident"):
-            preset = catalog.get(self.incident)
-            if preset.category == "vacuum":
-                return Front(1.0, preset, None)
+            return Front.named(self.incident)
+
+
+class RangeQuery(QueryModel):
+    """A range of wavelengths."""
+
+    minimum_nm: Number | None = wavelength(
+        None, "Shortest wavelength, in nm, within the preset's own range.", examples=[380.0]
+    )
+    maximum_nm: Number | None = wavelength(
+        None, "Longest wavelength, in nm, within the preset's own range.", examples=[780.0]
+    )
+
+
+class SpectrumQuery(RangeQuery, TableQuery):
+    """Constants over the wavelength; all that is known unless a range is given."""
+
+    step_nm: Number | None = wavelength(
+        None, "Distance of the wavelengths, in nm; the native points unless given.", examples=[5.0]
+    )
+
+
+class MapQuery(FrontQuery, RangeQuery, TableQuery):
+    """Reflectance over angle and wavelength; from 380 to 780 nm unless a range is given."""
+
+    cells: ClassVar[tuple[str, ...]] = ("steps", "samples")
+
+    quantity: Quantity = Field("R", description="Unpolarized, s or p.")
+    samples: Count = _samples(91)
+    steps: Count = Field(
+        201, ge=2, le=MAX_SAMPLES, description="Equally spaced wavelengths, both ends included."
+    )
+
+    @property
+    def takes_long(self) -> bool:
+        """Always."""
+        return True
+
+
+class RgbQuery(ColorQuery):
+    """Whether and how R, G and B are made."""
+
+    rgb: bool = Field(True, description="Whether to add R, G and B.")
+    models: ModelsParameter = Field(
+        "schlick,f82_tint,exact",
+        description="Comma-separated ids of the models that stand beside the spectrum as R, G and "
+        "B: `exact` (from n and k averaged to R, G and B), and those whose parameters are F0, F82 "
+        "or a tint.",
+        examples=["schlick,f82_tint,exact"],
+    )
+    gamut: Gamut = _gamut("unclamped")
+
+    def chosen(self, registry: Registry) -> list[Model] | None:
+        """Look up the models; None where R, G and B are left out.
+
+        Raises
+        ------
+        BadParameters
+            Naming what only R, G and B depend on where they are not asked for.
+        UnknownModel, NotAllowed
+            If a model is not registered, there twice or cannot be given a color.
+        """
+        lost = {*RgbQuery.model_fields} - {"rgb"}
+        errors: list[ParameterError] = [
+            {
+                "parameter": name,
+                "value": getattr(self, name),
+                "message": "given although rgb = false leaves R, G and B out",
+            }
+            for name in sorted(lost & self.model_fields_set)
+        ]
+        if errors and not self.rgb:
+            raise BadParameters(*errors)
+        models = parse_models(self.models, registry)
+        for model in models:
+            if model.id != "exact" and not model.takes_color:
+                able = [m.id for m in registry.values() if m.takes_color]
+                raise NotAllowed("models", model.id, f"one of {', '.join(('exact', *able))}")
+        return models if self.rgb else None
+
+
+class MaterialCurvesQuery(FrontQuery, RgbQuery, TableQuery):
+    """R over the angle of incidence at wavelengths of choice and as R, G and B."""
+
+    wavelengths_nm: str | None = Field(
+        None,
+        min_length=1,
+        max_length=2000,
+        description="Comma-separated wavelengths in nm, within the presets' own range; those of "
+        "400, 500, 600, 700 and 800 that are, unless given.",
+        examples=["400,500,600,700,800"],
+    )
+    samples: Count = _samples(181)
+
+    @property
+    def takes_long(self) -> bool:
+        """Always: a color is 471 wavelengths at each angle."""
+        return True
+
+    def wavelengths(self) -> Array | None:
+        """Read the wavelengths; None unless they are given.
+
+        Raises
+        ------
+        NotAllowed
+            If a part is no number, or is there twice.
+        """
+        if self.wavelengths_nm is None:
+            return None
+        numbers: list[float] = []
+        for part in self.wavelengths_nm.split(","):
             try:
-                return Front(preset.n, preset, catalog.spectrum(preset.id))
-            except NoSpectrum as error:
-                allowed = f"{error.allowed}, which can be given as n_i = {preset.n:.10g}"
-                raise NotAllowed(error.parameter, error.value, allowed) from None
-
-
-def boundary(spectrum: Spectrum, wavelength_nm: Array, n_i: Array | float) -> Interface:
-    """Boundary to a material at wavelengths that its source covers.
-
-    Raises
-    ------
-    WavelengthOutOfRange
-        If n, or k where the source gives any, is not known at one.
-    OutOfRange
-        If n or k is beyond what the core takes, as those of metals in the far infrared.
-    """
-    n, k = spectrum.n(wavelength_nm), spectrum.k(wavelength_nm)
-    try:
-        return Interface(n_i, n, 0.0 if k is None else k)
-    except OutOfRange as error:
-        values = n if error.parameter == "n_t" else np.asarray(k)
-        at = wavelength_nm[values == error.value]
-        raise OutOfRange(
-            "wavelength_nm",
-            at[0] if at.size else None,
-            f"one where {error.parameter} is {error.allowed}; "
-            f"of {spectrum.id} it is {error.value:.5g} here",
-        ) from None
-
-
-def unknown_k(spectrum: Spectrum) -> list[str]:
-    """Say that k counts as 0, where it does."""
-    return [] if spectrum.k_range_nm is not None else ["k is not known and counts as 0"]
-
-
-def visible_part(known: tuple[float, float]) -> tuple[float, float]:
-    """The part of a range from 380 to 780 nm, or all of it where there is none."""
-    low, high = max(known[0], 380.0), min(known[1], 780.0)
-    return (low, high) if low < high else known
-
-
-def refuse_more_than(
-    parameter: str, value: object, count: int, what: str, most: int = MOST_VALUES
-) -> None:
-    """Refuse an answer of too many values.
-
-    Raises
-    ------
-    NotAllowed
-        Naming the parameter that makes it so large.
-    """
-    if count > most:
-        raise NotAllowed(parameter, value, f"at most {most} {what} in an answer")
-
-
-def parse_wavelengths(text: str) -> Array:
-    """Read comma-separated wavelengths in nm.
-
-    Raises
-    ------
-    NotAllowed
-        If a part is no number, or is there twice.
-    """
-    numbers: list[float] = []
-    for part in text.split(","):
-        try:
-            value = float(part) if "_" not in part else np.nan
-        except ValueError:
-            value = np.nan
-        if not np.isfinite(value):
-            raise NotAllowed("wavelengths_nm", part, "comma-separated numbers, in nm")
-        if value in numbers:
-            raise NotAllowed("wavelengths_nm", part, "each wavelength once")
-        numbers.append(value)
-    return np.array(numbers)
-
-
-def swatch_gamut(default: Gamut) -> Any:
-    """Pydantic field of a gamut policy."""
-    return Field(default, description=GAMUT)
+                value = float(part) if "_" not in part else np.nan
+            except ValueError:
+                value = np.nan
+            if not np.isfinite(value):
+                raise NotAllowed("wavelengths_nm", part, "comma-separated numbers, in nm")
+            if value in numbers:
+                raise NotAllowed("wavelengths_nm", part, "each wavelength once")
+            numbers.append(value)
+        return np.array(numbers)

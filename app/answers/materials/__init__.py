@@ -1,0 +1,1 @@
+"""Answers about materials: the list, one material, and what depends on the wavelength."""

@@ -1,0 +1,227 @@
+"""All that is known of one material: constants, color, provenance and rivals."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app.answers.answer import answer
+from app.answers.materials.about import Rgb
+from app.answers.materials.listing import Material, Swatch, hex_of, in_gamut
+from app.materials import (
+    DAYLIGHT,
+    Appearance,
+    Preset,
+    Viewing,
+    appearance,
+    default_catalog,
+    resolve_material,
+)
+from app.materials.schema import Channels, Color, Confidence, Database, Provenance, Sample
+from app.optics.color import (
+    WAVELENGTH_NM,
+    Adaptation,
+    Gamut,
+    Illuminant,
+    Observer,
+    apply_gamut,
+    linear_srgb,
+    luminance,
+)
+from app.optics.interface import Interface
+from app.optics.parameters import Array
+from app.optics.specular import F82, tint_at_82
+
+
+@answer
+class Seen:
+    """Under which light, by which observer a color is seen."""
+
+    illuminant: Illuminant
+    observer: Observer
+    adaptation: Adaptation
+
+
+@answer
+class SeenColor(Color, Seen):  # the fields of Seen come first
+    """Linear sRGB in full precision, with the light and the observer."""
+
+
+@answer
+class Constants:
+    """Constants at one wavelength, with what they give from vacuum."""
+
+    wavelength_nm: float | None
+    n: float
+    k: float | None
+    F0: float
+    F82: float
+    """Exact reflectance at cos(theta_i) = 1/7."""
+
+
+@answer
+class Display(Swatch):
+    """The color by a gamut policy."""
+
+    F0: Rgb
+    """Linear sRGB."""
+    F82: Rgb
+    """Linear sRGB."""
+    F82_tint: Rgb
+    """The tint that belongs to this F0 and F82."""
+    in_gamut: bool
+    """Whether the unclamped F0 is within 0 and 1."""
+
+
+@answer
+class Rival:
+    """Another measurement of the same material."""
+
+    id: str
+    name: str
+    n: float
+    k: float | None
+    wavelength_nm: float | None
+    sample: Sample
+    confidence: Confidence
+    source: str
+    F0: Channels
+    """Linear sRGB under D65, not clamped."""
+    luminance: float
+
+
+@answer
+class Spread:
+    """How far the measurements lie apart: luminous reflectance at normal incidence, D65."""
+
+    minimum: float
+    maximum: float
+    ids: tuple[str, ...]
+
+
+@answer
+class MaterialDetail(Material):
+    """All that is known of a preset."""
+
+    color: SeenColor
+    constants: Constants
+    display: Display
+    conditions: dict[str, float | str]
+    """Keys carry their unit."""
+    provenance: Provenance | None
+    """Null for an index out of a table."""
+    rivals: list[Rival]
+    spread: Spread
+    database: Database
+
+
+def detail(
+    preset: Preset,
+    *,
+    wavelength_nm: float | None = None,
+    viewing: Viewing = DAYLIGHT,
+    gamut: Gamut = "scaled",
+) -> MaterialDetail:
+    """Tell all that is known of a preset.
+
+    Parameters
+    ----------
+    preset
+        The material.
+    wavelength_nm
+        Where the constants are evaluated, by default its reference wavelength.
+    viewing
+        How its colors are made.
+    gamut
+        What is done about colors that sRGB cannot show.
+
+    Raises
+    ------
+    WavelengthOutOfRange, OutOfRange, NotAllowed
+        As `resolve_material` does.
+    """
+    catalog = default_catalog()
+    color, spread = _appearance(preset, viewing), catalog.spread(preset.id)
+    file = catalog.spectrum(preset.id).file if preset.kind == "spectrum" else None
+    display = _display(color, gamut)
+    return MaterialDetail(
+        **vars(preset)
+        | {
+            "color": SeenColor(
+                **viewing._asdict(),
+                F0=_channels(color.F0),
+                F82=_channels(color.F82),
+                F82_tint=_channels(color.F82_tint),
+                luminance=color.luminance,
+            )
+        },
+        swatch=Swatch(gamut=gamut, hex=display.hex),
+        constants=_constants(preset, wavelength_nm),
+        display=display,
+        conditions={} if file is None else file.conditions,
+        provenance=None if file is None else file.provenance,
+        rivals=[_rival(other) for other in catalog.rivals(preset.id)],
+        spread=Spread(
+            minimum=spread.minimum,
+            maximum=spread.maximum,
+            ids=tuple(member.id for member in spread.presets),
+        ),
+        database=catalog.database,
+    )
+
+
+def _appearance(preset: Preset, viewing: Viewing) -> Appearance:
+    """Colors of a preset; a single index reflects all wavelengths alike."""
+    if preset.kind == "spectrum":
+        return appearance(default_catalog().spectrum(preset.id), 1.0, *viewing)
+    boundary = Interface(1.0, preset.n, preset.k or 0.0)
+    F0, at_82 = (np.full(WAVELENGTH_NM.size, float(R)) for R in (boundary.F0, F82(boundary)))
+    return Appearance(
+        F0=linear_srgb(F0, *viewing),
+        F82=linear_srgb(at_82, *viewing),
+        luminance=float(luminance(F0, viewing.illuminant, viewing.observer)),
+        warnings=(),
+    )
+
+
+def _constants(preset: Preset, wavelength_nm: float | None) -> Constants:
+    at = resolve_material(preset.id, wavelength_nm).constants
+    boundary = Interface(1.0, at.n, at.k or 0.0)
+    return Constants(
+        wavelength_nm=at.wavelength_nm,
+        n=at.n,
+        k=at.k,
+        F0=float(boundary.F0),
+        F82=float(F82(boundary)),
+    )
+
+
+def _display(color: Appearance, gamut: Gamut) -> Display:
+    F0, at_82 = apply_gamut(color.F0, gamut), apply_gamut(color.F82, gamut)
+    return Display(
+        gamut=gamut,
+        hex=hex_of(F0),
+        F0=F0,
+        F82=at_82,
+        F82_tint=tint_at_82(F0, at_82),
+        in_gamut=in_gamut(color.F0),
+    )
+
+
+def _rival(preset: Preset) -> Rival:
+    return Rival(
+        id=preset.id,
+        name=preset.name,
+        n=preset.n,
+        k=preset.k,
+        wavelength_nm=preset.wavelength_nm,
+        sample=preset.sample,
+        confidence=preset.confidence,
+        source=preset.source,
+        F0=preset.color.F0,
+        luminance=preset.color.luminance,
+    )
+
+
+def _channels(rgb: Array) -> Channels:
+    red, green, blue = rgb.tolist()
+    return red, green, blue

@@ -1,0 +1,164 @@
+"""R, G and B over the angle: the spectrum's, and those of models that keep three numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+
+import numpy as np
+
+from app.answers.answer import Gaps, answer
+from app.answers.materials.about import Rgb
+from app.answers.materials.detail import Seen
+from app.materials import Spectrum, Viewing, appearance, averaged_interface, color_curve
+from app.optics.color import Gamut, apply_gamut
+from app.optics.hemisphere import hemisphere
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.metrics import cosine_weighted_mean, root_mean_square
+from app.optics.numerics.quadrature import Nodes, crowded_gauss_legendre
+from app.optics.parameters import Array
+from app.optics.registry import Model
+from app.optics.specular import tint_at_82
+
+CHANNELS = ("red", "green", "blue")
+
+
+@answer
+class ChannelError:
+    """Error against the spectrum, over the hemisphere; null where the model is undefined."""
+
+    max_abs: float | None
+    """Largest absolute error, to about 1e-4."""
+    max_abs_at_deg: float | None
+    error_at_max: float | None
+    """Signed error there."""
+    rms: float | None
+    """Root mean square, each solid angle alike."""
+    cosine_weighted_mean: float | None
+    """Signed: the error of the albedo."""
+
+    @classmethod
+    def of(cls, error: Array, nodes: Nodes) -> ChannelError:
+        """Measure one channel's signed error at the nodes."""
+        at = int(np.argmax(np.abs(np.nan_to_num(error))))
+        measured = {
+            "max_abs": abs(error[at]),
+            "max_abs_at_deg": np.degrees(np.arccos(nodes.mu[at])),
+            "error_at_max": error[at],
+            "rms": root_mean_square(error, nodes),
+            "cosine_weighted_mean": cosine_weighted_mean(error, nodes),
+        }
+        defined = bool(np.isfinite(error).all())
+        return cls(**{name: float(value) if defined else None for name, value in measured.items()})
+
+
+@answer
+class ChannelErrors:
+    """Errors of the three channels."""
+
+    red: ChannelError
+    green: ChannelError
+    blue: ChannelError
+
+
+@answer
+class RgbCurve:
+    """R, G and B over the angle, by the spectrum or by what a renderer makes of three numbers."""
+
+    model: str
+    """`spectral` is the truth; others are ids of /models."""
+    title: str
+    inputs: dict[str, Rgb]
+    """The colors the model was given."""
+    R_red: Gaps
+    R_green: Gaps
+    R_blue: Gaps
+    errors: ChannelErrors | None
+    """Null for the truth."""
+
+
+@answer
+class RgbCurves(Seen):
+    """Curves in linear sRGB."""
+
+    gamut: Gamut
+    """Applied to the colors that the models are given; no curve is clamped."""
+    curves: list[RgbCurve]
+
+
+def rgb_curves(
+    spectrum: Spectrum,
+    n_i: Array | float,
+    incidence: Incidence,
+    models: Sequence[Model],
+    viewing: Viewing,
+    gamut: Gamut,
+) -> RgbCurves:
+    """Evaluate R, G and B of the spectrum and of models, with their errors.
+
+    Parameters
+    ----------
+    spectrum, n_i
+        The material and the index in front of it, as `color_curve` takes them.
+    incidence
+        The angles.
+    models
+        `exact`, from n and k averaged over each channel, and models that take a color.
+    viewing
+        How the channels are made.
+    gamut
+        What is done about the colors that models are given.
+    """
+    nodes = _nodes()
+    at_nodes = Incidence.from_cosine(nodes.mu)
+    truth_at_nodes = color_curve(spectrum, at_nodes, n_i, *viewing).T
+    color = appearance(spectrum, n_i, *viewing)
+    F0, F82 = apply_gamut(color.F0, gamut), apply_gamut(color.F82, gamut)
+    colors = {"F0": F0, "F82": F82, "tint": tint_at_82(F0, F82)}
+    averaged = averaged_interface(spectrum, n_i, viewing)
+    curves = [
+        RgbCurve(
+            model="spectral",
+            title="Spectrum, integrated at every angle",
+            inputs={"F0": color.F0, "F82": color.F82},
+            **_channels(color_curve(spectrum, incidence, n_i, *viewing).T),
+            errors=None,
+        )
+    ]
+    for model in models:
+        given = {p.name: colors[p.name] for p in model.parameters if p.name in colors}
+        arguments = {
+            p.name: given[p.name][:, np.newaxis] if p.name in given else np.asarray(p.default)
+            for p in model.parameters
+        }
+        title = model.title
+        if model.id == "exact":
+            title = "Exact, from n and k averaged"
+            constants = {"n_i": averaged.n_i, "n": averaged.n_t, "k": averaged.k_t}
+            given = {name: value.ravel() for name, value in constants.items()}
+        # Not `model(...)`, which refuses the unclamped F0 above 1 that gold has in red.
+        error = model.evaluate(averaged, at_nodes, arguments) - truth_at_nodes
+        measured = [ChannelError.of(row, nodes) for row in error]
+        curves.append(
+            RgbCurve(
+                model=model.id,
+                title=title,
+                inputs=given,
+                **_channels(model.evaluate(averaged, incidence, arguments)),
+                errors=ChannelErrors(**dict(zip(CHANNELS, measured, strict=True))),
+            )
+        )
+    return RgbCurves(**viewing._asdict(), gamut=gamut, curves=curves)
+
+
+@cache
+def _nodes() -> Nodes:
+    """Nodes that are fit for all materials: dense at both ends and where glass turns up."""
+    return hemisphere(Interface(), crowded_gauss_legendre(96))
+
+
+def _channels(rows: Array) -> dict[str, Array]:
+    return {
+        f"R_{name}": np.ascontiguousarray(row) for name, row in zip(CHANNELS, rows, strict=True)
+    }
