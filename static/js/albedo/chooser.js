@@ -1,6 +1,7 @@
 /** Which fits stand against the exact albedo: in folds by where they are at home. */
 
-import { createClear, createFold } from "../controls/fold.js";
+import { createFold } from "../controls/panel.js";
+import { createClear } from "../controls/view-panel.js";
 import { createChanged } from "../page/changed.js";
 import { h } from "../page/dom.js";
 import { homeOf } from "./answers.js";

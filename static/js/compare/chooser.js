@@ -1,6 +1,7 @@
 /** Which models stand against the exact curve: three folds, and a search over all of them. */
 
-import { createClear, createFold } from "../controls/fold.js";
+import { createFold } from "../controls/panel.js";
+import { createClear } from "../controls/view-panel.js";
 import { modelStyle } from "../models/look.js";
 import { h, setText } from "../page/dom.js";
 

@@ -1,6 +1,7 @@
 /** What panels of controls are made of: choices, rows with a slider, and the sheet that holds them on a phone. */
 
 import { put } from "../draw/svg.js";
+import { sample } from "../models/look.js";
 import { angle, clamp, inDegrees, inUnit, plain, snap, stepped } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
 
@@ -40,6 +41,40 @@ export function createChoice({ legend, items, several = false, listed = false, o
           else delete label.dataset.reason;
         }
       });
+    },
+  };
+}
+
+/** A fold of curves to choose among: how many of them are on stands in its line. @param {FoldOptions} options */
+export function createFold({ legend, entries, open = false, chosen, onChange }) {
+  const ids = entries.map(({ id }) => id);
+  const group = createChoice({
+    legend,
+    several: true,
+    listed: true,
+    items: entries.map(({ id, title, note, style }) => ({
+      value: id,
+      label: title,
+      note,
+      content: h("span.overlay-name", sample(style), title),
+    })),
+    onChange(picked) {
+      const kept = chosen().filter((id) => picked.includes(id) || !ids.includes(id));
+      onChange([...kept, ...picked.filter((id) => !kept.includes(id))]);
+    },
+  });
+  const count = h("span.count");
+  const element = h("details.forms", { open }, h("summary", legend, count), group.element);
+  return {
+    element,
+    ids,
+    labels: group.element.querySelectorAll("label"),
+    /** @param {readonly string[]} on @param {ReadonlyMap<string, string>} [reasons] why one does not apply here */
+    update(on, reasons) {
+      group.update(on, reasons);
+      const many = ids.filter((id) => on.includes(id)).length;
+      setText(count, many ? ` ${many} of ${ids.length}` : ` ${ids.length}`);
+      return many;
     },
   };
 }

@@ -116,3 +116,31 @@ interface Control {
   update: (value: Json, solved?: number) => void;
   stop: () => void;
 }
+
+interface FoldOptions {
+  legend: string;
+  entries: readonly {
+    id: string;
+    title: string;
+    note: string;
+    style: { color: string; dash: string };
+  }[];
+  open?: boolean;
+  /** Those of all folds, in the order in which they were chosen. */
+  chosen: () => readonly string[];
+  onChange: (ids: string[]) => void;
+}
+
+/** A number of the Explore view. */
+interface NumberEntry {
+  name: string;
+  heading: Node | string;
+  get: (reading: Reading) => number | null | undefined;
+  degrees?: boolean;
+}
+
+/** White light, once it was to be seen. */
+interface WhiteLight {
+  spread: typeof import("../explore/dispersion.js").spread;
+  panel: ReturnType<typeof import("../explore/dispersion.js").createDispersion>;
+}

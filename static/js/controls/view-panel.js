@@ -34,3 +34,24 @@ export function createPanel({ choices, ...options }) {
     },
   };
 }
+
+/**
+ * What stands above folds: their heading, and a button that takes the choice back.
+ * @param {string} title
+ * @param {string} label of the button
+ * @param {(ids: string[]) => void} onChange
+ */
+export function createClear(title, label, onChange) {
+  const clear = h(
+    "button.quiet",
+    { type: "button", "aria-label": label, onclick: () => onChange([]) },
+    "clear",
+  );
+  return {
+    element: h("div.heading", h("h2", title), clear),
+    /** @param {readonly string[]} ids that are chosen */
+    update(ids) {
+      clear.hidden = ids.length === 0;
+    },
+  };
+}

@@ -1,14 +1,12 @@
 /**
- * The ray at the surface, to scale: arrows as long as the light they carry, angles as they are,
- * media tinted by their index, the light below the surface fading with its true depth.
- *
- * It shows what it is given and reports what the pointer asks for; it computes no optics.
+ * The ray at the surface, to scale: arrows as long as the light they carry, angles as they are, media
+ * tinted by their index. It shows what it is given and computes no optics.
  */
 
 import { put, px, show } from "../draw/svg.js";
 import { angle, percent } from "../numbers/format.js";
 import { h, setText } from "../page/dom.js";
-import { readTheme } from "../plot/figure.js";
+import { watchSize } from "../plot/figure.js";
 import {
   angleAt,
   arcPath,
@@ -26,25 +24,8 @@ import {
 } from "./scene.js";
 import { createAnnotations, description } from "./words.js";
 
-/** The smallest host that is worth drawing into; a hidden one has no size. */
-const SMALLEST = 40;
 /** ms without a change after which the picture is described. */
 const STILL = 150;
-
-/**
- * @param {HTMLElement} element
- */
-function createHandle(element) {
-  const handle = document.createElement("div");
-  handle.className = "diagram-handle";
-  handle.tabIndex = 0;
-  handle.setAttribute("role", "slider");
-  handle.setAttribute("aria-label", "Incident ray, angle of incidence");
-  handle.setAttribute("aria-valuemin", "0");
-  handle.setAttribute("aria-valuemax", "90");
-  element.append(handle);
-  return handle;
-}
 
 /**
  * What of each polarization is passed on, of the light that is sent in.
@@ -75,14 +56,19 @@ export function createDiagram(element, actions) {
   /** Fetched with the first white light. @type {ReturnType<typeof import("./fan.js").createFan> | null} */
   let fan = null;
   element.append(scene.root);
-  const handle = createHandle(element);
-  const said = document.createElement("p");
-  said.className = "diagram-said";
-  element.append(said);
+  const handle = h("div.diagram-handle", {
+    tabindex: "0",
+    role: "slider",
+    "aria-label": "Incident ray, angle of incidence",
+    "aria-valuemin": "0",
+    "aria-valuemax": "90",
+  });
+  const said = h("p.diagram-said");
+  element.append(handle, said);
 
   const words = createAnnotations(scene);
-  let { unit } = readTheme(element);
-  let stage = stageOf(480, 480, unit);
+  const host = watchSize(element, element, () => measure());
+  let stage = stageOf(480, 480, host.theme().unit);
   /** @type {DiagramValues | null} */
   let values = null;
 
@@ -182,19 +168,15 @@ export function createDiagram(element, actions) {
   };
 
   const measure = () => {
-    const { clientWidth, clientHeight } = element;
-    if (clientWidth < SMALLEST || clientHeight < SMALLEST) return;
-    const theme = readTheme(element);
-    unit = theme.unit;
+    const size = host.size();
+    if (!size) return;
+    const theme = host.theme();
     words.useFaces(theme);
-    stage = stageOf(clientWidth, clientHeight, unit);
+    stage = stageOf(size.width, size.height, theme.unit);
     layStage();
     render();
   };
-  const observer = new ResizeObserver(measure);
-  observer.observe(element);
   measure();
-  void document.fonts.ready.then(measure);
 
   const stopDragging = listenForDrags({
     host: element,
@@ -213,7 +195,7 @@ export function createDiagram(element, actions) {
     },
     destroy() {
       clearTimeout(speech);
-      observer.disconnect();
+      host.stop();
       stopDragging();
       element.replaceChildren();
     },

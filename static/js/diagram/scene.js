@@ -1,7 +1,6 @@
 /**
- * The diagram in pixels: where things are, all nodes, made once, and how values are written into
- * them. y grows downward, the surface is level, the ray comes from the upper left. Nothing here
- * knows optics; angles and shares come from the server.
+ * The diagram in pixels: where things are, its nodes, made once, and how values are written into
+ * them. y grows downward; the ray comes from the upper left.
  */
 
 import { boxOf, moveText, put, px, setLabel, show, svg, svgText } from "../draw/svg.js";
@@ -374,7 +373,7 @@ export function setIncident(arrow, stage, back) {
  * @param {Place} along
  * @param {{s: number, p: number}} shares of the incident power of that polarization; 0 hides the sign
  * @param {boolean} both
- * @param {number | null} share that the ray's arrow carries; null on the incident ray
+ * @param {number | null} share of the ray's arrow; null on the incident ray
  * @param {number | null} [depth] at which an absorber has taken all but 1/e, px
  * @returns {Box[]} what they cover
  */

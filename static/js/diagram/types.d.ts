@@ -116,3 +116,20 @@ interface PlaceAllOptions {
   boxes: readonly Box[];
   previous?: ReadonlyMap<string, Placed>;
 }
+
+type DiagramFaces = Record<"name" | "index" | "angle" | "share" | "landmark", Measure>;
+
+/** A line with a place of its own: its left end, at middle height. */
+interface FixedLine extends Place {
+  key: "upperName" | "upperIndex" | "lowerName" | "lowerIndex" | "depth" | "total" | "totalRest";
+  text: string;
+  box: Box;
+}
+
+/** A label by its centre. */
+interface PlacedText extends Place {
+  id: string;
+  text: string;
+  box: Box;
+  clear: boolean;
+}

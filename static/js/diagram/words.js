@@ -1,6 +1,6 @@
 /**
- * What the diagram has to say, and where each word stands: near what it names, off every ray, arc and
- * other label, inside the frame, and where it stood before unless that has become worse.
+ * The diagram's words and their places: near what they name, off rays, arcs and each other, and where
+ * they stood before unless that has become worse.
  */
 
 import {
@@ -19,11 +19,6 @@ import {
 } from "../draw/svg.js";
 import { angle, percent, plain } from "../numbers/format.js";
 import { arcChords, arrowSize, at, direction } from "./scene.js";
-
-/** @typedef {Record<"name" | "index" | "angle" | "share" | "landmark", Measure>} Faces */
-/** @typedef {"upperName" | "upperIndex" | "lowerName" | "lowerIndex" | "depth" | "total" | "totalRest"} Fixed */
-/** @typedef {{key: Fixed, text: string, x: number, y: number, box: Box}} Line left end, middle height */
-/** @typedef {{id: string, text: string, x: number, y: number, box: Box, clear: boolean}} Label centre */
 
 const MARGIN = 8;
 const HANDLE = 28;
@@ -53,8 +48,8 @@ export function shortened(text, measure, room) {
  * The lines with a place of their own: the media in their corners, and total internal reflection.
  * @param {Drawn} drawn
  * @param {Stage} stage
- * @param {Faces} face
- * @returns {Line[]}
+ * @param {DiagramFaces} face
+ * @returns {FixedLine[]}
  */
 export function fixedLines({ values, depth }, stage, face) {
   const { width, height, inset, unit } = stage;
@@ -75,7 +70,7 @@ export function fixedLines({ values, depth }, stage, face) {
       : ["total internal", "reflection"];
   const middle = stage.x + gap;
   const below = stage.y + 22 * unit;
-  /** @type {[Fixed, string, number, number, Measure][]} */
+  /** @type {[FixedLine["key"], string, number, number, Measure][]} */
   const lines = [
     ["upperName", shortened(values.labels.incident, face.name, room), inset, top, face.name],
     ["upperIndex", indexText("n_i", n_i, 0), inset, top + line * 1.05, face.index],
@@ -148,7 +143,7 @@ export function tickAt(stage, degrees) {
 /**
  * @param {Drawn} drawn
  * @param {Stage} stage
- * @param {Faces} face
+ * @param {DiagramFaces} face
  * @returns {{text: string, wish: Wish}[]}
  */
 function movingLabels({ values, share, rest, up, down }, stage, face) {
@@ -180,12 +175,11 @@ function movingLabels({ values, share, rest, up, down }, stage, face) {
 }
 
 /**
- * The name of a landmark: level with its tick, outside the protractor or inside it, a little higher
- * or lower if need be, and not at all where there is no room.
- * @param {{deg: number, label: string}} landmark
+ * A landmark's name: level with its tick, a little higher or lower if need be, else left out.
+ * @param {Landmark} landmark
  * @param {number} index
  * @param {Stage} stage
- * @param {Faces} face
+ * @param {DiagramFaces} face
  */
 function landmarkName({ deg, label }, index, stage, face) {
   const along = direction(deg, "incident");
@@ -208,9 +202,9 @@ function landmarkName({ deg, label }, index, stage, face) {
  * All words of a drawing with their places.
  * @param {Drawn} drawn
  * @param {Stage} stage
- * @param {Faces} face
+ * @param {DiagramFaces} face
  * @param {ReadonlyMap<string, Placed>} [previous]
- * @returns {{lines: Line[], labels: Label[], standing: Map<string, Placed>}}
+ * @returns {{lines: FixedLine[], labels: PlacedText[], standing: Map<string, Placed>}}
  */
 export function plan(drawn, stage, face, previous) {
   const lines = fixedLines(drawn, stage, face);
@@ -239,7 +233,7 @@ export function plan(drawn, stage, face, previous) {
 
 /**
  * @param {Theme} theme
- * @returns {Faces}
+ * @returns {DiagramFaces}
  */
 function faces({ family, symbolFamily, unit }) {
   /** @param {number} size @param {number} symbolSize @param {number} [weight] */
@@ -265,7 +259,7 @@ function faces({ family, symbolFamily, unit }) {
  * @param {import("./scene.js").Scene} scene
  */
 export function createAnnotations(scene) {
-  /** @type {Faces | null} */
+  /** @type {DiagramFaces | null} */
   let widths = null;
   /** @type {ReadonlyMap<string, Placed>} */
   let standing = new Map();

@@ -78,8 +78,6 @@ export function px(value) {
   return Math.round(value * 10) / 10;
 }
 
-/** @typedef {{text: string, italic: boolean, sub: boolean}} Run */
-
 /** Unicode's small letters lack most of the alphabet, so they are only read, never written. */
 const SUBSCRIPT_SIGNS = "₀₁₂ᵢₚₛₜ";
 const SUBSCRIPT_LETTERS = "012ipst";

@@ -4,13 +4,15 @@ import {
   ANGLE_STEPS,
   angleWriting,
   createChoice,
+  createChoices,
+  createFold,
   createRow,
   createSheet,
 } from "../controls/panel.js";
 import { createInterface } from "../media/media.js";
-import { modelStyle, sample } from "../models/look.js";
+import { modelStyle } from "../models/look.js";
 import { angle } from "../numbers/format.js";
-import { h, setText, symbol } from "../page/dom.js";
+import { h, symbol } from "../page/dom.js";
 
 /** How the indices are moved. @type {Record<string, RowManner>} */
 const MANNERS = {
@@ -49,22 +51,9 @@ export function createControls({ catalog, presets, state, actions, describeMedia
     rows.push({ name, symbol, row, print });
   }
 
-  const polarization = createChoice({
-    legend: "Polarization",
-    items: [
-      { value: "s", label: "s" },
-      { value: "p", label: "p" },
-      { value: "unpolarized", label: "unpolarized" },
-    ],
-    onChange: ([value]) => actions.set({ polarization: value }),
-  });
-  const angles = createChoice({
-    legend: "Angles",
-    items: [
-      { value: "deg", label: "degrees" },
-      { value: "rad", label: "radians" },
-    ],
-    onChange: ([value]) => actions.set({ angle: value }),
+  const choices = createChoices(actions, {
+    polarization: ["Polarization", { s: "s", p: "p", unpolarized: "unpolarized" }],
+    angle: ["Angles", { deg: "degrees", rad: "radians" }],
   });
   const show = createChoice({
     legend: "Overlay",
@@ -86,37 +75,23 @@ export function createControls({ catalog, presets, state, actions, describeMedia
         marks: picked.includes("marks") ? "on" : "off",
       }),
   });
-  const overlays = ["approximation", "exact"]
-    .map((kind) => {
-      const models = catalog.models.filter((m) => m.kind === kind && m.id !== "exact");
-      const legend = kind === "exact" ? "Equivalent exact forms" : "Approximations";
-      const group = createChoice({
-        legend,
-        several: true,
-        listed: true,
-        items: models.map((m) => ({
-          value: m.id,
-          label: m.title,
-          note: m.validity,
-          content: h("span.overlay-name", sample(modelStyle(catalog.models, m.id)), m.title),
-        })),
-        onChange(picked) {
-          const others = state().models.filter(
-            (/** @type {string} */ id) => !models.some((m) => m.id === id),
-          );
-          actions.set({ models: [...others, ...picked] });
-        },
-      });
-      const count = h("span.count");
-      const box = h(
-        "details.forms",
-        { open: kind === "approximation" },
-        h("summary", legend, count),
-        group.element,
-      );
-      return { models, group, box, count };
-    })
-    .filter(({ models }) => models.length > 0);
+  const overlays = ["approximation", "exact"].flatMap((kind) => {
+    const models = catalog.models.filter((m) => m.kind === kind && m.id !== "exact");
+    if (models.length === 0) return [];
+    return createFold({
+      legend: kind === "exact" ? "Equivalent exact forms" : "Approximations",
+      open: kind === "approximation",
+      entries: models.map(({ id, title, validity }) => ({
+        id,
+        title,
+        note: validity,
+        style: modelStyle(catalog.models, id),
+      })),
+      chosen: () =>
+        state().models.filter((/** @type {string} */ id) => !models.some((m) => m.id === id)),
+      onChange: (ids) => actions.set({ models: ids }),
+    });
+  });
   const ownPlace = h("div");
   /** @type {ReturnType<typeof import("../controls/parameters.js").createParameters> | null} */
   let own = null;
@@ -140,10 +115,10 @@ export function createControls({ catalog, presets, state, actions, describeMedia
     h("div.rows", ...rows.map(({ row }) => row.element)),
     h(
       "div.choices",
-      polarization.element,
-      angles.element,
+      choices.elements.polarization,
+      choices.elements.angle,
       show.element,
-      ...overlays.map((o) => o.box),
+      ...overlays.map((o) => o.element),
       ownPlace,
     ),
   );
@@ -171,18 +146,13 @@ export function createControls({ catalog, presets, state, actions, describeMedia
       };
       for (const { name, row } of rows) row.update(now[name], marks[name] ?? []);
       sheet.update();
-      polarization.update([now.polarization]);
-      angles.update([now.angle]);
+      choices.update(now);
       show.update([
         ...now.show,
         ...(now.light === "white" ? ["white"] : []),
         ...(now.marks === "on" ? ["marks"] : []),
       ]);
-      for (const { group, models, count } of overlays) {
-        group.update(now.models, reasons);
-        const chosen = models.filter((m) => now.models.includes(m.id)).length;
-        setText(count, chosen ? ` ${chosen} of ${models.length}` : ` ${models.length}`);
-      }
+      for (const fold of overlays) fold.update(now.models, reasons);
       updateOwn();
     },
   };

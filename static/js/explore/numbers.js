@@ -4,16 +4,10 @@ import { angle, inUnit, six } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
 import { copying } from "../page/exports.js";
 
-/**
- * @typedef {'deg' | 'rad'} Unit
- * @typedef {{name: string, heading: Node | string, get: (r: Reading) => number | null | undefined, degrees?: boolean,
- *   only?: (r: Reading) => boolean}} Entry
- */
-
 /** While something moves, the numbers are written as often as an eye can catch, ms apart. */
 const READABLE = 100;
 
-/** Four columns where there is room. @type {() => Entry[]} */
+/** Four columns where there is room. @type {() => NumberEntry[]} */
 const SUMMARY = () => [
   { name: "R", heading: symbol("R"), get: (r) => r.R },
   { name: "Rs", heading: symbol("R_s"), get: (r) => r.Rs },
@@ -45,7 +39,7 @@ const SUMMARY = () => [
 const AMPLITUDES = /** @type {const} */ (["r_s", "r_p", "t_s", "t_p"]);
 const PARTS = /** @type {const} */ (["re", "im", "abs", "phase_deg"]);
 
-/** @returns {Entry[][]} a row for each amplitude */
+/** @returns {NumberEntry[][]} a row for each amplitude */
 function amplitudeEntries() {
   return AMPLITUDES.map((a) =>
     PARTS.map((part) => ({
@@ -61,7 +55,7 @@ function amplitudeEntries() {
 export function createNumbers(say) {
   /** @type {Reading | null} */
   let reading = null;
-  /** @type {Unit} */
+  /** @type {'deg' | 'rad'} */
   let unit = "deg";
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let dimming;
@@ -69,13 +63,13 @@ export function createNumbers(say) {
   let overdue;
   let written = Number.NEGATIVE_INFINITY;
 
-  /** @param {Entry} entry @returns {number | null | undefined} */
+  /** @param {NumberEntry} entry @returns {number | null | undefined} */
   function full(entry) {
     const value = reading ? entry.get(reading) : undefined;
     return entry.degrees && typeof value === "number" ? inUnit(value, unit) : value;
   }
 
-  /** @param {Entry} entry */
+  /** @param {NumberEntry} entry */
   function cell(entry) {
     const value = h("button.number", { type: "button", tabindex: "-1" });
     const copy = copying(() => String(full(entry) ?? "none"), say, `${entry.name} copied`);
@@ -146,7 +140,7 @@ export function createNumbers(say) {
     grid,
     table,
     copyAll,
-    /** @param {Reading} next @param {Unit} nextUnit @param {boolean} moving */
+    /** @param {Reading} next @param {'deg' | 'rad'} nextUnit @param {boolean} moving */
     update(next, nextUnit, moving) {
       reading = next;
       unit = nextUnit;

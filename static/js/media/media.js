@@ -9,11 +9,6 @@ import { put } from "../draw/svg.js";
 import { plain, significant } from "../numbers/format.js";
 import { h, setText } from "../page/dom.js";
 
-/**
- * @typedef {{id: string, wavelength_nm: number | null, n: number, k: number | null}} Resolved
- * @typedef {import("../server/api.js").Problem} Problem
- */
-
 /** From the far ultraviolet to radio, whatever a source covers. */
 export const WAVELENGTH = {
   name: "wavelength_nm",

@@ -15,8 +15,7 @@ const DASHES = [
 ];
 
 /**
- * The models that are often seen together keep a look that tells them apart, whatever else is
- * registered: d'Eon's figure has Schlick dashed, Pharr's form dot-dashed, the misunderstanding red.
+ * Models often seen together keep a look that tells them apart, as d'Eon's figure has them.
  * @type {Record<string, [number, string]>}
  */
 const OWN = {

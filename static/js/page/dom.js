@@ -5,9 +5,8 @@ const isAttributes = (given) =>
   typeof given === "object" && given !== null && !(given instanceof Node);
 
 /**
- * An element: `h("p.hint", "text")`, `h("button", { type: "button", onclick }, "go")`. Attributes that
- * are functions become listeners, true an empty attribute, false, null and undefined none; children
- * that are one of the last three are left out.
+ * An element: `h("p.hint", "text")`, `h("button", { type: "button", onclick }, "go")`. Functions become
+ * listeners, true an empty attribute; false, null and undefined are left out, as children too.
  * @type {MakeElement}
  */
 export const h = (/** @type {string} */ tag, /** @type {unknown[]} */ ...given) => {
@@ -54,11 +53,7 @@ const GREEK = {
   beta: "β",
 };
 
-/**
- * A symbol declared in LaTeX (`n_t`, `\theta_i`, `\alpha`, `F_{82}`) as italic serif with its index.
- * @param {string} latex
- * @returns {HTMLElement}
- */
+/** A symbol in LaTeX (`n_t`, `\theta_i`, `F_{82}`) as italic serif with its index. @param {string} latex */
 export function symbol(latex) {
   const match = /^\\?([A-Za-z]+)(?:_\{?([A-Za-z0-9]+)\}?)?$/.exec(latex);
   const base = match?.[1] ?? latex;

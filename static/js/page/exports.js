@@ -1,4 +1,4 @@
-/** What can be taken away of a figure: PNG, SVG and CSV at once, and a picture made to fit a paper or a slide. */
+/** What can be taken away: a figure as PNG, SVG and CSV or made for print, text by copying, curves as tables. */
 
 import { h } from "./dom.js";
 

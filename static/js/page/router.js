@@ -1,9 +1,6 @@
 /** Which view is open, and the way from an address to it. */
 
-/**
- * @param {RouterOptions} options
- * @typedef {{module: ViewModule, view: View, host: Pick<HTMLElement, 'hidden'>}} Opened
- */
+/** @param {RouterOptions} options */
 export function createRouter({
   views,
   load,

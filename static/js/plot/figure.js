@@ -471,10 +471,8 @@ export function plotlyLayout(axes, arrangement, theme) {
 const FRAMES_AWAY = 20;
 
 /**
- * Path of a curve with gaps at `null`, or `null` itself when Plotly would clip it.
- *
- * Plotly makes one path element of each piece between gaps. Pieces are joined here with a new `M`,
- * which draws the same, so that the number of elements need not follow the data.
+ * Path of a curve with gaps at `null`, or `null` itself when Plotly would clip it. Its pieces, each an
+ * element of its own in Plotly, are joined by an `M`, so that their number need not follow the data.
  * @param {readonly number[]} xPixels
  * @param {readonly (number | null)[]} y
  * @param {PixelAxis} axis
@@ -518,14 +516,12 @@ export function createPixels(axis) {
   };
 }
 
-/** @typedef {{id: string, axis: string, path: Element, rest: Element[], scale: Plotly.FullAxis}} Line */
-
 /** @param {Trace} trace */
 const axisOf = (trace) => trace.axis ?? "y";
 
 /** @param {HTMLElement} canvas where Plotly draws */
 export function createFastPath(canvas) {
-  /** @type {Line[] | null} */
+  /** @type {DrawnLine[] | null} */
   let lines = null;
   /** @type {((x: readonly number[]) => readonly number[]) | null} */
   let pixels = null;
@@ -628,22 +624,15 @@ export async function library() {
 const SMALLEST = 40;
 
 /**
- * Make a figure of an element: an area in it for Plotly to draw into, drawn anew when its size, its
- * letters or its colors change.
- * @param {HTMLElement} element
+ * Draw anew when the size, the letters or the colors of what is drawn into change.
+ * @param {HTMLElement} element whose colors they are
+ * @param {HTMLElement} area
  * @param {() => void} draw
  */
-export function createHost(element, draw) {
-  element.classList.add("plot");
-  element.setAttribute("role", "figure");
-  /** @type {HTMLElement} */
-  const canvas = h("div.plot-canvas", { "aria-hidden": "true" });
-  const area = h("div.plot-area", canvas);
-  element.append(area);
+export function watchSize(element, area, draw) {
   let theme = readTheme(element);
   /** @type {Size} */
   let drawn = { width: 0, height: 0 };
-  let destroyed = false;
   let waiting = 0;
 
   function refresh() {
@@ -661,22 +650,38 @@ export function createHost(element, draw) {
   void document.fonts.ready.then(refresh);
 
   return {
-    area,
-    canvas,
     theme: () => theme,
     /** What can be drawn into now. @returns {Size | null} */
     size() {
-      const { clientWidth: width, clientHeight: height } = area;
-      if (destroyed || width < SMALLEST || height < SMALLEST) return null;
+      const { clientWidth: width, clientHeight: height, isConnected } = area;
+      if (!isConnected || width < SMALLEST || height < SMALLEST) return null;
       drawn = { width, height };
       return drawn;
     },
     refresh,
     resize,
-    destroy() {
-      destroyed = true;
+    stop() {
       cancelAnimationFrame(waiting);
       observer.disconnect();
+    },
+  };
+}
+
+/** Make a figure of an element: an area in it for Plotly to draw into. @param {HTMLElement} element @param {() => void} draw */
+export function createHost(element, draw) {
+  element.classList.add("plot");
+  element.setAttribute("role", "figure");
+  /** @type {HTMLElement} */
+  const canvas = h("div.plot-canvas", { "aria-hidden": "true" });
+  const area = h("div.plot-area", canvas);
+  element.append(area);
+  const { stop, ...watched } = watchSize(element, area, draw);
+  return {
+    ...watched,
+    area,
+    canvas,
+    destroy() {
+      stop();
       window.Plotly?.purge(canvas);
       element.replaceChildren();
     },

@@ -1,12 +1,7 @@
 /**
- * What lies over the curves and moves with the pointer: names, marks, and the marker with its dots.
- *
- * All of it is SVG that is made once and then only changes attributes, colored by the page's CSS
- * variables, so that neither a drag nor a change of theme asks Plotly for anything.
- *
- * Names stand at their curve, inside the frame, on no other curve or name. Curves are sampled once
- * into columns of a few pixels, so that asking "does a curve pass through this box" is a handful of
- * comparisons, and placing four labels costs a fraction of a millisecond.
+ * What lies over the curves and moves with the pointer: names, marks, and the marker with its dots,
+ * as SVG that only changes attributes, so that neither a drag nor a theme asks Plotly for anything.
+ * Names stand on no curve and no other name; curves are sampled into columns of a few pixels for that.
  */
 
 import {

@@ -1,11 +1,7 @@
 /**
- * Plots of curves over an abscissa, drawn by Plotly when things stand still and by writing the
- * paths directly while a pointer is down (a tenth of the cost).
- *
- * What the first picture does without (legend, table, files) is loaded when it is asked for.
- *
- * The element becomes a figure with a name; its SVG is hidden from readers, who get the data table
- * and, where an abscissa can be picked, a slider on the axis.
+ * Plots of curves over an abscissa: drawn by Plotly when things stand still, by writing the paths
+ * directly while something moves (a tenth of the cost). Legend, table and files are loaded when asked
+ * for. Readers get the data table and, where an abscissa can be picked, a slider on the axis.
  */
 
 import { plainText, put } from "../draw/svg.js";

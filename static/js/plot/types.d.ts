@@ -289,3 +289,19 @@ interface PixelAxis {
   l2p: (value: number) => number;
   _length: number;
 }
+
+/** A part of a label in one style. */
+interface Run {
+  text: string;
+  italic: boolean;
+  sub: boolean;
+}
+
+/** A curve as Plotly has drawn it. */
+interface DrawnLine {
+  id: string;
+  axis: string;
+  path: Element;
+  rest: Element[];
+  scale: Plotly.FullAxis;
+}

@@ -41,16 +41,12 @@ export function freshOf(answers, wanted) {
   );
 }
 
-/**
- * @typedef {number | number[] | string | null} Value null leaves it to the server
- */
-
 /** @param {Model} model @param {Parameter} parameter */
 export function stateName(model, parameter) {
   return `${model.id}.${parameter.name}`;
 }
 
-/** @param {Parameter} declared @returns {Value} */
+/** @param {Parameter} declared @returns {number | number[] | string | null} null leaves it to the server */
 export function defaultOf({ choices, default: preset }) {
   const named = choices?.find(([, value]) => value === preset);
   return named ? named[0] : preset;

@@ -84,3 +84,11 @@ interface AskingOptions {
   onBusy: (busy: boolean) => void;
   query?: typeof import("./api.js").createQuery;
 }
+
+/** A preset's indices at a wavelength. */
+interface Resolved {
+  id: string;
+  wavelength_nm: number | null;
+  n: number;
+  k: number | null;
+}

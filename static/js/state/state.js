@@ -111,16 +111,16 @@ export function createState(
   { window: frame = null, implied = () => ({}), now = Date.now } = {},
 ) {
   const schema = { ...fields };
-  /** @returns {Record<string, any>} */
+  /** @returns {State} */
   const defaults = () =>
     Object.fromEntries(Object.entries(schema).map(([key, field]) => [key, field.default]));
   let current = defaults();
-  /** @type {Set<(state: Record<string, any>, moving: boolean) => void>} */
+  /** @type {Set<(state: State, moving: boolean) => void>} */
   const listeners = new Set();
   let moving = false; // a gesture is open: its history entry exists and is being replaced
   let written = -Infinity;
 
-  /** @param {Record<string, any>} state */
+  /** @param {State} state */
   function query(state = current) {
     const hidden = implied(state);
     return Object.entries(schema)
@@ -157,9 +157,9 @@ export function createState(
     toQuery: () => query(),
 
     /**
-     * `replace` is for the values of a gesture (a drag, a key held down): the first one makes the
-     * gesture's history entry, the next ones replace it, and `push` or `settle` closes it.
-     * @param {Record<string, any>} patch
+     * `replace` is for a gesture: its first value makes a page of the history, the next ones replace
+     * that, and `push` or `settle` closes it.
+     * @param {State} patch
      * @param {{history?: 'push' | 'replace' | 'none'}} [options]
      */
     set(patch, { history = "push" } = {}) {
@@ -188,7 +188,7 @@ export function createState(
       tell();
     },
 
-    /** @param {(state: Record<string, any>, moving: boolean) => void} listener @returns {() => void} */
+    /** @param {(state: State, moving: boolean) => void} listener @returns {() => void} */
     subscribe(listener) {
       listeners.add(listener);
       return () => listeners.delete(listener);
@@ -285,9 +285,9 @@ const MOST = 200;
 
 /** @param {Pick<StateStore, 'get' | 'set' | 'defaults' | 'subscribe' | 'toQuery'>} state */
 export function createUndo(state) {
-  /** @type {Record<string, any>[]} */
+  /** @type {State[]} */
   let past = [];
-  /** @type {Record<string, any>[]} */
+  /** @type {State[]} */
   let future = [];
   let now = state.get();
   let link = state.toQuery();
@@ -305,7 +305,7 @@ export function createUndo(state) {
     link = text;
   });
 
-  /** @param {Record<string, any>[]} from @param {Record<string, any>[]} to @returns {boolean} whether there was one */
+  /** @param {State[]} from @param {State[]} to @returns {boolean} whether there was one */
   function step(from, to) {
     const target = from.pop();
     if (!target) return false;

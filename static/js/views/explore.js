@@ -13,10 +13,6 @@ import { createPlot } from "../plot/plot.js";
 import { mediaQuery, parameterFields, parameterQuery, path } from "../server/questions.js";
 import { choice, list } from "../state/state.js";
 
-/**
- * @typedef {typeof import('../explore/dispersion.js')} Dispersion
- */
-
 const SNAP_DEGREES = 1;
 
 /** The state that this view adds to the one all views share. @param {Catalog} catalog */
@@ -165,7 +161,7 @@ export function createView({
     },
   });
 
-  /** White light, once it was to be seen. @type {{spread: Dispersion["spread"], panel: ReturnType<Dispersion["createDispersion"]>} | null} */
+  /** White light, once it was to be seen. @type {WhiteLight | null} */
   let white = null;
   async function loadWhite() {
     const { spread, createDispersion } = await import("../explore/dispersion.js");
