@@ -27,8 +27,6 @@ References
 .. [1] M. Born and E. Wolf, Principles of Optics, 7th ed., sections 1.5 and 14.2.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 

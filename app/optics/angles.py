@@ -1,7 +1,5 @@
 """Angles at which something happens: Brewster's, critical, pseudo-Brewster and principal angle."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Callable, Mapping

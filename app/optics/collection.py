@@ -1,7 +1,5 @@
 """What is registered under ids: models, formulas, fits."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Protocol, TypeVar
 

@@ -20,8 +20,6 @@ References
 .. [3] K. M. Lam, Metamerism and Colour Constancy, thesis, University of Bradford, 1985.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from pathlib import Path
 from typing import Literal, get_args

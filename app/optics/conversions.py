@@ -17,12 +17,10 @@ References
 .. [5] S. Lagarde, Memo on Fresnel equations (2013): F0 is another under water.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Literal
 
 import numpy as np
 
@@ -45,7 +43,6 @@ from app.optics.specular import F82, tint_at_82
 
 Status = Literal["exact", "lossy", "infeasible"]
 Form = Literal["ior", "f0", "f0_srgb", "nk", "rg", "dg", "specular", "reflectance"]
-FORMS: tuple[Form, ...] = get_args(Form)
 Value = float | str | None
 
 SPECULAR_F0 = 0.08
@@ -173,7 +170,7 @@ def know(form: Form, n_i: float = 1.0, **values: float) -> Known:
     Parameters
     ----------
     form
-        One of `FORMS`.
+        Which words.
     n_i
         Index of the medium in front.
     values

@@ -17,8 +17,6 @@ References
 .. [2] E. d'Eon, Fresnel Boundaries, notebook to A Hitchhiker's Guide to Multiple Scattering (2019).
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from app.optics.interface import Interface

@@ -12,8 +12,6 @@ component of the refracted wave, and a thin second medium (eta = 0.01) passes fr
 within a few millionths of a radian of that angle.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import lru_cache
 
@@ -39,18 +37,10 @@ AngleOf = Callable[[Number, Number], Double2]
 
 
 def brewster_factor(interface: Interface, incidence: Incidence) -> Number:
-    """Evaluate eta cos(theta_i) - sin(theta_i).
+    """Evaluate eta cos(theta_i) - sin(theta_i), of the broadcast shape.
 
-    Parameters
-    ----------
-    interface, incidence
-        The boundary and the directions; they broadcast against each other.
-
-    Returns
-    -------
-    Number
-        Of the broadcast shape. Relative accuracy is a few units in the last place where the
-        directions were made from degrees; from radians or cosines the absolute one is.
+    Relative accuracy is a few units in the last place where the directions were made from degrees;
+    from radians or cosines the absolute one is.
     """
     (eta, _, _), (c, s) = interface.relative, incidence.numbers
     angle = np.degrees(np.arctan(eta))
@@ -73,19 +63,7 @@ def _arctan_deg(n_i: Number, n_t: Number) -> Double2:
 
 
 def normal_square(interface: Interface, incidence: Incidence) -> Number:
-    """Evaluate Re q^2 = eta^2 - kappa^2 - sin^2(theta_i).
-
-    Parameters
-    ----------
-    interface, incidence
-        The boundary and the directions; they broadcast against each other.
-
-    Returns
-    -------
-    Number
-        Of the broadcast shape. Relative accuracy is a few units in the last place where the
-        directions were made from degrees; from radians or cosines the absolute one is.
-    """
+    """Evaluate Re q^2 = eta^2 - kappa^2 - sin^2(theta_i), as accurate as `brewster_factor`."""
     eta, kappa, eta_minus_1 = interface.relative
     c, s = incidence.numbers
     kappa2, contrast = kappa * kappa, eta_minus_1 * (eta + 1.0)

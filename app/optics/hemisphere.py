@@ -6,8 +6,6 @@ angle where R turns up with weak absorption. Each interval is integrated by a ru
 toward both of its ends, so that neither the square root there nor a pole just outside costs digits.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -6,8 +6,6 @@ falls by four when N doubles, and by the rounding of the texels. Both are measur
 estimated.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Literal, NamedTuple
 

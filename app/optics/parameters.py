@@ -4,8 +4,6 @@ The core checks its arguments against these declarations, and the API's query mo
 controls on the page are made from them.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

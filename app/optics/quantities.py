@@ -1,7 +1,5 @@
 """What can be asked of a ray at an interface, by name: the quantities that curves are made of."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 
 from app.optics.amplitudes import amplitudes, phase_deg, power, reflectance

@@ -1,7 +1,5 @@
 """What a model is, and the registry that finds every one in `app.optics.models`."""
 
-from __future__ import annotations
-
 import importlib
 import pkgutil
 from collections.abc import Callable, Iterable, Mapping

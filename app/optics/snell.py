@@ -1,7 +1,5 @@
 """Snell's law: the refraction angle, reflected and refracted directions, the penetration depth."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What the models of Schlick's family share: F0, F82, their polynomial and their common limit."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

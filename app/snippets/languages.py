@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from app.snippets.formula import Formula, Step
+from app.snippets.formula import FUNCTIONS, Formula, Step
 
 Trust = Literal["run", "compiled", "untested"]
 
@@ -269,13 +269,7 @@ class _Python(Language):
         return []  # arrays broadcast
 
 
-_NUMPY = {
-    "asin": "arcsin",
-    "acos": "arccos",
-    "min": "minimum",
-    "max": "maximum",
-    "pow": "power",
-} | {name: name for name in ("sqrt", "abs", "exp", "exp2", "log", "sin", "cos", "tan")}
+_NUMPY = {written: name for name, written in FUNCTIONS.items()}
 
 LANGUAGES: dict[str, Language] = {
     language.id: language

@@ -1,7 +1,5 @@
 """Exact albedos against 30-digit values, and the laws they obey."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import asdict
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The diffuse body under a clear coat."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given

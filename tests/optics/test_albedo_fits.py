@@ -1,7 +1,5 @@
 """Every fit of the albedo against its own claim, and against what it is exact for."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -5,8 +5,6 @@ Text recognition dropped cells of the rows with n < 1: beyond the critical angle
 notebook's function returns 1, and those rows end in as many ones as the angles beyond it demand.
 """
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

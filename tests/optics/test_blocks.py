@@ -1,7 +1,5 @@
 """Large arrays are evaluated in pieces: the same numbers, without memory that grows beside them."""
 
-from __future__ import annotations
-
 import tracemalloc
 from math import prod
 

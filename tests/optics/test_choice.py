@@ -1,7 +1,5 @@
 """One number and many, either of two forms: bit by bit what NumPy's plain form gives."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

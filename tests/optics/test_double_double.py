@@ -1,7 +1,5 @@
 """The arctangent that Brewster's and the critical angle are taken from, beside 50 digits."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from mpmath import atan, degrees, mp, mpf

@@ -1,7 +1,5 @@
 """All exact forms are one function: they agree wherever they claim to be defined."""
 
-from __future__ import annotations
-
 from functools import cache
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """The collection of formulas: nothing registered is missing, nothing said of it is unmeasured."""
 
-from __future__ import annotations
-
 import json
 import math
 from collections.abc import Callable, Iterator
@@ -15,7 +13,7 @@ from mpmath import mp, mpf
 from app.optics.albedo import FITS, albedo, coat_split, flatland_albedo
 from app.optics.angles import brewster_deg, critical_deg, principal_deg, pseudo_brewster_deg
 from app.optics.conversions import TITLES, Form, convert, know
-from app.optics.formulas.collection import UnknownFormula, default_formulas, of_model, symbols_of
+from app.optics.formulas.collection import Formulas, UnknownFormula, of_model, symbols_of
 from app.optics.formulas.formula import Formula
 from app.optics.formulas.sources import ADDRESSES, links
 from app.optics.formulas.symbols import GLOSSARY, defined, explain, letters
@@ -26,8 +24,8 @@ from app.optics.snell import penetration_depth_wavelengths, refraction_angle_deg
 from tests.optics.reference.fresnel import DIGITS, Reference, fresnel
 
 HERE = Path(__file__).parent / "reference"
-FORMULAS = default_formulas()
 MODELS = default_registry()
+FORMULAS = Formulas(MODELS)
 Media = tuple[float, float, float]
 # The best a double can do, and a bound that says so.
 LAST_DIGITS = 1e-14

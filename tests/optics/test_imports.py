@@ -1,7 +1,5 @@
 """Imports go one way: optics, then materials, then the API, then the application."""
 
-from __future__ import annotations
-
 import ast
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """The angle of incidence keeps its digits from 0 to 90 degrees, whatever it is made from."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given

@@ -1,7 +1,5 @@
 """Values everyone knows: normal and grazing incidence, Brewster's, the critical and other angles."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

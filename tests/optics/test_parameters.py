@@ -1,7 +1,5 @@
 """Declared parameters: what they let pass, and what the error says of the rest."""
 
-from __future__ import annotations
-
 import contextlib
 
 import numpy as np

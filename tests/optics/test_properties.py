@@ -1,7 +1,5 @@
 """What holds for every interface and angle, tried on indices and angles drawn by hypothesis."""
 
-from __future__ import annotations
-
 import cmath
 from math import isclose
 

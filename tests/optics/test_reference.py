@@ -1,7 +1,5 @@
 """Every quantity of the exact solution against arithmetic of 30 and of 50 digits."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from itertools import product

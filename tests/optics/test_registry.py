@@ -1,7 +1,5 @@
 """The contract that every registered model keeps, and the registry that finds them."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import astuple, replace
 from pathlib import Path

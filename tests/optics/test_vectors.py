@@ -1,7 +1,5 @@
 """Reflected and refracted directions in two and three dimensions, and the depth of what enters."""
 
-from __future__ import annotations
-
 from math import isclose
 
 import numpy as np

@@ -17,8 +17,6 @@ References
    727, doi:10.1364/JOSA.32.000727.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -20,8 +20,6 @@ References
 .. [2] M. N. Ozisik, Radiative Transfer, Wiley 1973, p. 60.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.polynomial.polynomial import polyval
 from scipy.special import xlogy

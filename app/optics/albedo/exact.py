@@ -1,7 +1,5 @@
 """Exact hemispherical albedo of every interface, from whichever side."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Literal
 

@@ -1,7 +1,5 @@
 """What a fit of the albedo is: its formula, where it comes from, what it claims and what it does."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -72,20 +70,25 @@ class Claim:
     source
         Where the claim stands.
     measured
-        Largest error found over `measured_over`, rounded up to three digits; a test measures it.
+        Largest error found, rounded up to three digits; a test measures it.
     at
         (eta, kappa) of the largest error.
-    measured_over
-        Where it was measured: `domain`, unless a relative error is infinite on its edge.
+    over
+        Where it was measured if not over the `domain`, on whose edge a relative error is infinite.
     """
 
     domain: Domain
     claimed: float | None = None
     relative: bool = False
-    source: str
+    source: str = "no figure published; measured here"
     measured: float
     at: tuple[float, float]
-    measured_over: Domain
+    over: Domain | None = None
+
+    @property
+    def measured_over(self) -> Domain:
+        """Where it was measured."""
+        return self.over or self.domain
 
     @property
     def holds(self) -> bool | None:

@@ -20,8 +20,6 @@ References
    Algorithms 10 (1995) 13, doi:10.1007/BF02198293.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.polynomial.polynomial import polyval
 from scipy.special import elliprd, elliprf, elliprj

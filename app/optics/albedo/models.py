@@ -1,7 +1,5 @@
 """Albedo of any registered model."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike
 

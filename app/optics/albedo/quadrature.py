@@ -17,11 +17,8 @@ References
    element integrals, Int. J. Numer. Meth. Engng 62 (2005) 564, doi:10.1002/nme.1208.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
 from typing import Literal
 
 import numpy as np
@@ -29,6 +26,7 @@ from numpy.typing import NDArray
 
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.numerics.quadrature import gauss_legendre
 from app.optics.parameters import Array
 
 Index = NDArray[np.intp]
@@ -119,9 +117,7 @@ def integrate(
 
 def _whole(interface: Interface) -> Piece:
     """The hemisphere in one piece from grazing incidence, phi = 90 deg - theta_i."""
-    scale = np.minimum(
-        np.sqrt(_abs(*_contrast(interface))), 1.0 / np.sqrt(_abs(*_plus_1(interface)))
-    )
+    scale = np.minimum(np.sqrt(_abs_contrast(interface)), 1.0 / np.sqrt(_abs_plus_1(interface)))
     return Piece(
         scale=np.clip(scale, _SMALLEST_SCALE, 1.0),
         cos_squared=lambda _, sin2: sin2,
@@ -159,7 +155,7 @@ def _beyond_cut(interface: Interface) -> Piece:
 
 def _rule(piece: Piece, nodes: int, measure: Measure) -> tuple[Incidence, Array]:
     """Directions and weights, of shape (m, nodes)."""
-    fractions, gauss = _gauss_legendre(nodes)
+    fractions, gauss = gauss_legendre(nodes)
     largest = np.arcsinh(_QUARTER_TURN / piece.scale)
     phi = piece.scale * np.sinh(largest * fractions)
     dphi = largest * gauss * np.hypot(piece.scale, phi)
@@ -189,23 +185,16 @@ def _batches(
             yield alike[start : start + step], int(count)
 
 
-@cache
-def _gauss_legendre(nodes: int) -> tuple[Array, Array]:
-    """Gauss-Legendre's nodes and weights on 0..1."""
-    x, weights = np.polynomial.legendre.leggauss(nodes)
-    return 0.5 * (x + 1.0), 0.5 * weights
+def _abs_contrast(interface: Interface) -> Array:
+    """|N^2 - 1|: the squared modulus of the branch point's cosine."""
+    eta, kappa, eta_minus_1 = interface.relative
+    return np.hypot(eta_minus_1 * (eta + 1.0) - kappa * kappa, 2.0 * eta * kappa)
 
 
-def _contrast(interface: Interface) -> tuple[Array, Array]:
-    """N^2 - 1, real and imaginary part: minus the squared cosine of the branch point."""
-    eta, kappa = interface.eta, interface.kappa
-    return interface.eta_minus_1 * (eta + 1.0) - kappa**2, 2.0 * eta * kappa
-
-
-def _plus_1(interface: Interface) -> tuple[Array, Array]:
-    """N^2 + 1, real and imaginary part: the reciprocal of the pole's squared cosine."""
-    eta, kappa = interface.eta, interface.kappa
-    return 1.0 + (eta - kappa) * (eta + kappa), 2.0 * eta * kappa
+def _abs_plus_1(interface: Interface) -> Array:
+    """|N^2 + 1|: the reciprocal of the squared modulus of the pole's cosine."""
+    eta, kappa, _ = interface.relative
+    return np.hypot(1.0 + (eta - kappa) * (eta + kappa), 2.0 * eta * kappa)
 
 
 def _cos_squared_critical(interface: Interface) -> Array:
@@ -218,11 +207,7 @@ def _gap(interface: Interface) -> Array:
     eta, kappa = interface.eta, interface.kappa
     branch = kappa * np.hypot(kappa, 2.0 * eta)  # |eta^2 - N^2|
     # eta^2 - N^2 / (1 + N^2) = (eta^2 - N^2 + eta^2 N^2) / (1 + N^2)
-    pole = _abs(
+    pole = np.hypot(
         kappa**2 + eta**2 * (eta - kappa) * (eta + kappa), 2.0 * eta * kappa * (eta**2 - 1.0)
-    ) / _abs(*_plus_1(interface))
+    ) / _abs_plus_1(interface)
     return np.minimum(branch, pole)
-
-
-def _abs(real: Array, imaginary: Array) -> Array:
-    return np.hypot(real, imaginary)

@@ -1,9 +1,5 @@
 """The exact albedos as the collection of formulas shows them."""
 
-from __future__ import annotations
-
-import numpy as np
-
 from app.optics.albedo.coat import BODY_ALBEDO, coat_split
 from app.optics.albedo.exact import albedo
 from app.optics.albedo.flatland import flatland_albedo
@@ -11,58 +7,41 @@ from app.optics.formulas.formula import (
     ETA,
     Accuracy,
     Axis,
-    Curve,
+    Columns,
     Formula,
-    Series,
     Symbol,
+    over,
     rounding,
 )
 from app.optics.interface import Interface
-from app.optics.parameters import K_T, N_T
+from app.optics.parameters import K_T, N_T, Array
 
 _ALBEDO = Axis("albedo", "A", "albedo")
+_SHARE = Axis("share", "A", "share of diffuse light")
+_BODY = Axis(BODY_ALBEDO.name, BODY_ALBEDO.symbol, "albedo of the body under the coat")
 
 
-def _over_eta(interface: Interface, samples: int) -> Curve:
-    eta = np.linspace(0.2, 4.0, samples)
+def _by_polarization(interface: Interface, eta: Array) -> Columns:
     found = albedo(Interface(1.0, eta, interface.kappa))
-    series = (
-        Series("unpolarized", "unpolarized", found.unpolarized),
-        Series("s", "s", found.s),
-        Series("p", "p", found.p),
-    )
-    return Curve(ETA, eta, _ALBEDO, series)
+    for name in ("unpolarized", "s", "p"):
+        yield name, name, getattr(found, name)
 
 
-def _both_sides(_: Interface, samples: int) -> Curve:
-    eta = np.linspace(1.0, 4.0, samples)
-    series = (
-        Series("outside", "from the thinner side", albedo(Interface(1.0, eta)).unpolarized),
-        Series("inside", "from the denser side", albedo(Interface(eta, 1.0)).unpolarized),
-    )
-    return Curve(ETA, eta, _ALBEDO, series)
+def _both_sides(_: Interface, eta: Array) -> Columns:
+    yield "outside", "from the thinner side", albedo(Interface(1.0, eta)).unpolarized
+    yield "inside", "from the denser side", albedo(Interface(eta, 1.0)).unpolarized
 
 
-def _flatland(interface: Interface, samples: int) -> Curve:
-    eta = np.linspace(0.2, 4.0, samples)
+def _flatland(interface: Interface, eta: Array) -> Columns:
     media = Interface(1.0, eta, interface.kappa)
-    series = (
-        Series("flatland", "flatland", flatland_albedo(media)),
-        Series("unpolarized", "three dimensions", albedo(media).unpolarized),
-    )
-    return Curve(ETA, eta, _ALBEDO, series)
+    yield "flatland", "flatland", flatland_albedo(media)
+    yield "unpolarized", "three dimensions", albedo(media).unpolarized
 
 
-def _coat(interface: Interface, samples: int) -> Curve:
-    body = np.linspace(0.0, 1.0, samples)
+def _coat(interface: Interface, body: Array) -> Columns:
     split = coat_split(Interface(1.0, interface.eta), body)
-    x = Axis(BODY_ALBEDO.name, BODY_ALBEDO.symbol, "albedo of the body under the coat")
-    series = (
-        Series("surface", "surface", split.surface),
-        Series("body", "body", split.body),
-        Series("absorbed", "absorbed", split.absorbed),
-    )
-    return Curve(x, body, Axis("share", "A", "share of diffuse light"), series)
+    for name in ("surface", "body", "absorbed"):
+        yield name, name, getattr(split, name)
 
 
 _35_DIGITS = "35-digit arithmetic"
@@ -78,7 +57,7 @@ FORMULAS = (
         accuracy=(rounding(1e-13, "A", "absorbers, eta and kappa up to 100", _35_DIGITS),),
         at=Interface(1.0, 1.5, 3.0),
         takes=(K_T,),
-        curve=_over_eta,
+        curve=over(ETA, 0.2, 4.0, _ALBEDO, _by_polarization),
     ),
     Formula(
         id="albedo.dielectric",
@@ -94,7 +73,7 @@ FORMULAS = (
         validity="Dielectrics from the thinner side, eta > 1; from the denser side by reciprocity.",
         accuracy=(rounding(1e-14, "A", "eta from 1 + 1e-12 to 100", _35_DIGITS),),
         at=Interface(n_t=1.5),
-        curve=_over_eta,
+        curve=over(ETA, 0.2, 4.0, _ALBEDO, _by_polarization),
     ),
     Formula(
         id="albedo.reciprocity",
@@ -106,7 +85,7 @@ FORMULAS = (
         "within the critical angle, and the rest is reflected inside.",
         accuracy=(rounding(1e-14, "A", "eta from 0.001 to 1 - 1e-9", _35_DIGITS),),
         at=Interface(1.5, 1.0),
-        curve=_both_sides,
+        curve=over(ETA, 1.0, 4.0, _ALBEDO, _both_sides),
     ),
     Formula(
         id="albedo.flatland",
@@ -120,7 +99,7 @@ FORMULAS = (
         accuracy=(rounding(1e-11, "A", "eta from 0.001 to 100, kappa up to 100", _35_DIGITS),),
         at=Interface(n_t=1.5),
         takes=(K_T,),
-        curve=_flatland,
+        curve=over(ETA, 0.2, 4.0, _ALBEDO, _flatland),
     ),
     Formula(
         id="albedo.coat",
@@ -152,6 +131,6 @@ FORMULAS = (
         ),
         at=Interface(n_t=1.5),
         takes=(N_T,),
-        curve=_coat,
+        curve=over(_BODY, 0.0, 1.0, _SHARE, _coat),
     ),
 )

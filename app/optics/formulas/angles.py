@@ -1,49 +1,51 @@
 """Snell's angle and the angles at which something happens, as the collection of formulas shows them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
-import numpy as np
-
 from app.optics.angles import brewster_deg, critical_deg, principal_deg, pseudo_brewster_deg
-from app.optics.formulas.formula import ETA, THETA, Axis, Curve, Formula, Series, Symbol, rounding
+from app.optics.formulas.formula import (
+    ETA,
+    THETA,
+    Axis,
+    Columns,
+    Curves,
+    Formula,
+    Symbol,
+    over,
+    rounding,
+)
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, Array
 from app.optics.snell import penetration_depth_wavelengths, refraction_angle_deg
 
-Curves = Callable[[Interface, int], Curve]
-
-
-def _refraction(interface: Interface, samples: int) -> Curve:
-    theta = np.linspace(0.0, 90.0, samples)
-    values = refraction_angle_deg(interface, Incidence.from_degrees(theta))
-    y = Axis("theta_t_deg", r"\theta_t", "angle of refraction", "deg")
-    return Curve(THETA, theta, y, (Series("theta_t_deg", "angle of refraction", values),))
-
-
-def _penetration(interface: Interface, samples: int) -> Curve:
-    theta = np.linspace(0.0, 90.0, samples)
-    values = penetration_depth_wavelengths(interface, Incidence.from_degrees(theta))
-    y = Axis("depth", "d", "depth of 1/e in vacuum wavelengths")
-    return Curve(THETA, theta, y, (Series("depth", "penetration depth", values),))
-
-
-_SCATTERED = "1500 interfaces scattered over the whole range, angles from 0 to 90 degrees"
-
+_REFRACTION = Axis("theta_t_deg", r"\theta_t", "angle of refraction", "deg")
+_DEPTH = Axis("depth", "d", "depth of 1/e in vacuum wavelengths")
 _ANGLE = Axis("angle_deg", r"\theta_i", "angle of incidence", "deg")
+
+
+def _refraction(interface: Interface, theta: Array) -> Columns:
+    angle = refraction_angle_deg(interface, Incidence.from_degrees(theta))
+    yield "theta_t_deg", "angle of refraction", angle
+
+
+def _penetration(interface: Interface, theta: Array) -> Columns:
+    depth = penetration_depth_wavelengths(interface, Incidence.from_degrees(theta))
+    yield "depth", "penetration depth", depth
 
 
 def _over_eta(low: float, high: float, angle: Callable[[Interface], Array], title: str) -> Curves:
     """Plot an angle over the relative index."""
+    return over(
+        ETA,
+        low,
+        high,
+        _ANGLE,
+        lambda i, eta: [("angle_deg", title, angle(Interface(1.0, eta, i.kappa)))],
+    )
 
-    def curve(interface: Interface, samples: int) -> Curve:
-        eta = np.linspace(low, high, samples)
-        values = angle(Interface(1.0, eta, interface.kappa))
-        return Curve(ETA, eta, _ANGLE, (Series("angle_deg", title, values),))
 
-    return curve
+_SCATTERED = "1500 interfaces scattered over the whole range, angles from 0 to 90 degrees"
 
 
 FORMULAS = (
@@ -61,7 +63,7 @@ FORMULAS = (
         accuracy=(rounding(1e-14, "angle", _SCATTERED),),
         at=Interface(n_t=1.5),
         takes=(N_I, N_T, K_T),
-        curve=_refraction,
+        curve=over(THETA, 0.0, 90.0, _REFRACTION, _refraction),
     ),
     Formula(
         id="angle.penetration_depth",
@@ -80,7 +82,7 @@ FORMULAS = (
         accuracy=(rounding(1e-14, "depth", _SCATTERED),),
         at=Interface(1.5, 1.0),
         takes=(N_I, N_T, K_T),
-        curve=_penetration,
+        curve=over(THETA, 0.0, 90.0, _DEPTH, _penetration),
     ),
     Formula(
         id="angle.brewster",

@@ -1,15 +1,9 @@
 """The collection of formulas: models, exact albedos and their fits, angles and conversions."""
 
-from __future__ import annotations
-
-from functools import cache
-
-import numpy as np
-
 from app.optics.albedo import albedo
 from app.optics.albedo.fit import Claim, Fit
 from app.optics.albedo.fits import FITS
-from app.optics.amplitudes import power
+from app.optics.amplitudes import reflectance
 from app.optics.collection import Collection
 from app.optics.errors import UnknownName
 from app.optics.formulas import albedo as exact_albedos
@@ -19,18 +13,18 @@ from app.optics.formulas.formula import (
     THETA,
     Accuracy,
     Axis,
-    Curve,
+    Columns,
     Formula,
     FormulaKind,
-    Series,
     Symbol,
+    over,
     rounding,
 )
 from app.optics.formulas.symbols import explain
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.optics.parameters import K_T, N_I, N_T
-from app.optics.registry import ROUNDED_AT, Measured, Model, Registry, default_registry
+from app.optics.parameters import K_T, N_I, N_T, Array
+from app.optics.registry import ROUNDED_AT, Measured, Model, Registry
 
 CONVENTIONS: dict[FormulaKind, str] = {
     "model": "Angles from the surface normal, mu = cos(theta_i); N = n + i k, k of at least 0, time "
@@ -43,6 +37,7 @@ CONVENTIONS: dict[FormulaKind, str] = {
     "names it; n_t and k_t, of at least 0, belong to the second medium.",
 }
 
+_R = Axis("R", "R", "reflectance")
 _FIT_SYMBOLS = (
     Symbol("n", "relative index eta"),
     Symbol("k", "relative extinction kappa"),
@@ -62,13 +57,11 @@ def of_model(model: Model) -> Formula:
     ]
     at = model.measured[0].media if model.measured else ROUNDED_AT[0]
 
-    def curve(interface: Interface, samples: int) -> Curve:
-        theta = np.linspace(0.0, 90.0, samples)
+    def columns(interface: Interface, theta: Array) -> Columns:
         incidence = Incidence.from_degrees(theta)
-        series = [Series("exact", "exact", power(interface, incidence).R)]
+        yield "exact", "exact", reflectance(interface, incidence)
         if model.id != "exact":
-            series.append(Series(model.id, model.title, model(interface, incidence)))
-        return Curve(THETA, theta, Axis("R", "R", "reflectance"), tuple(series))
+            yield model.id, model.title, model(interface, incidence)
 
     return Formula(
         id=f"model.{model.id}",
@@ -81,7 +74,7 @@ def of_model(model: Model) -> Formula:
         takes=(N_I, N_T, K_T),
         symbols=model.symbols,
         parameters=model.parameters,
-        curve=curve,
+        curve=over(THETA, 0.0, 90.0, _R, columns),
     )
 
 
@@ -90,15 +83,12 @@ def of_fit(fit: Fit) -> Formula:
     domain = fit.domains[0]
     conductor = domain.kind == "conductor"
 
-    def curve(interface: Interface, samples: int) -> Curve:
-        eta = np.linspace(*domain.eta, samples)
+    words = "albedo" if fit.quantity == "unpolarized" else f"albedo, {fit.quantity}"
+
+    def columns(interface: Interface, eta: Array) -> Columns:
         media = Interface(1.0, eta, interface.kappa if conductor else 0.0)
-        exact = getattr(albedo(media), fit.quantity)
-        y = Axis(
-            "albedo", "A", "albedo" if fit.quantity == "unpolarized" else f"albedo, {fit.quantity}"
-        )
-        series = (Series("exact", "exact", exact), Series(fit.id, fit.title, fit(media)))
-        return Curve(ETA, eta, y, series)
+        yield "exact", "exact", getattr(albedo(media), fit.quantity)
+        yield fit.id, fit.title, fit(media)
 
     return Formula(
         id=f"albedo.{fit.id}",
@@ -110,7 +100,7 @@ def of_fit(fit: Fit) -> Formula:
         at=Interface(1.0, 1.5, domain.kappa[0]),
         takes=(K_T,) if conductor else (),
         symbols=(*_FIT_SYMBOLS, *fit.symbols),
-        curve=curve,
+        curve=over(ETA, *domain.eta, Axis("albedo", "A", words), columns),
     )
 
 
@@ -149,9 +139,3 @@ class Formulas(Collection[Formula]):
 def symbols_of(formula: Formula) -> list[Symbol]:
     """What every letter of the formula means, in the order of appearance."""
     return explain(formula.latex, formula.symbols, formula.parameters)
-
-
-@cache
-def default_formulas() -> Formulas:
-    """The formulas of everything that is registered."""
-    return Formulas(default_registry())

@@ -1,7 +1,5 @@
 """The conversions as the collection of formulas shows them; what they compute is in `conversions`."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -19,42 +17,50 @@ from app.optics.conversions import (
     know,
 )
 from app.optics.edge_tint import EDGE_TINT, TINT_ANGLE
-from app.optics.formulas.formula import Accuracy, Axis, Curve, Formula, Series, Symbol, rounding
+from app.optics.formulas.formula import (
+    Accuracy,
+    Axis,
+    Columns,
+    Curves,
+    Formula,
+    Symbol,
+    over,
+    rounding,
+)
 from app.optics.interface import Interface
-from app.optics.parameters import K_T, N_T, Parameter
+from app.optics.parameters import K_T, N_T, Array, Parameter
 from app.optics.registry import default_registry
 
-_F0 = Axis("F0", "F_0", "reflectance at normal incidence, linear")
-_N = Axis("n_t", "n_t", "index of refraction")
-_INDEX = Axis("index", "n_t, k_t", "index relative to the medium in front")
-_GLASS, _GOLD = Interface(n_t=1.5), Interface(1.0, 0.27, 2.9)
-
+Names = Sequence[tuple[str, str]]
 Value = Callable[[Interface, float], Sequence[float]]
 
+_N = Axis("n_t", "n_t", "index of refraction")
+_GLASS, _GOLD = Interface(n_t=1.5), Interface(1.0, 0.27, 2.9)
 
-def _axis(parameter: Parameter, title: str) -> Axis:
-    return Axis(parameter.name, parameter.symbol, title, parameter.unit)
+# Ordinates, each with the names and titles of its series.
+_TO_F0 = Axis("F0", "F_0", "reflectance at normal incidence, linear"), (("F0", "F0"),)
+_TO_N = _N, (("n_t", "n"),)
+_TO_INDEX = (
+    Axis("index", "n_t, k_t", "index relative to the medium in front"),
+    (("n_t", "n"), ("k_t", "k")),
+)
 
 
 def _curve(
-    x: Axis, low: float, high: float, y: Axis, names: Sequence[tuple[str, str]], value: Value
-) -> Callable[[Interface, int], Curve]:
+    x: Axis | tuple[Parameter, str], low: float, high: float, to: tuple[Axis, Names], value: Value
+) -> Curves:
     """Plot what a conversion gives along its own number, one point at a time as it is asked for."""
+    if not isinstance(x, Axis):
+        parameter, title = x
+        x = Axis(parameter.name, parameter.symbol, title, parameter.unit)
+    y, names = to
 
-    def curve(interface: Interface, samples: int) -> Curve:
-        at = np.linspace(low, high, samples)
+    def columns(interface: Interface, at: Array) -> Columns:
         rows = np.array([value(interface, float(one)) for one in at], dtype=np.float64)
-        series = tuple(
-            Series(name, title, np.ascontiguousarray(rows[:, column]))
-            for column, (name, title) in enumerate(names)
-        )
-        return Curve(x, at, y, series)
+        for (name, title), column in zip(names, rows.T, strict=True):
+            yield name, title, np.ascontiguousarray(column)
 
-    return curve
-
-
-def _index(known: Known) -> tuple[float, float]:
-    return known.index
+    return over(x, low, high, y, columns)
 
 
 def _form(known: Known, form: str, *names: str, seen_from: float = 1.333) -> list[float]:
@@ -63,13 +69,9 @@ def _form(known: Known, form: str, *names: str, seen_from: float = 1.333) -> lis
     return [float("nan") if values[name] is None else float(values[name] or 0.0) for name in names]
 
 
-def _n_and_k(interface: Interface) -> tuple[float, float]:
-    return float(interface.eta), float(interface.kappa)
-
-
-def _at(interface: Interface) -> Known:
-    n, k = _n_and_k(interface)
-    return know("nk", n_t=n, k_t=k)
+def _at(interface: Interface, **changed: float) -> Known:
+    """Know the interface's relative n and k, or others in their places."""
+    return know("nk", **{"n_t": float(interface.eta), "k_t": float(interface.kappa)} | changed)
 
 
 def _there_and_back(value: float, over: str) -> Accuracy:
@@ -79,7 +81,6 @@ def _there_and_back(value: float, over: str) -> Accuracy:
 _BORN_AND_WOLF = (
     "M. Born and E. Wolf, Principles of Optics, 7th edition, 1.5.2, doi:10.1017/CBO9781139644181"
 )
-_INDEX_NAMES = (("n_t", "n"), ("k_t", "k"))
 
 
 def _of_an_engine(
@@ -107,7 +108,7 @@ def _of_an_engine(
         "metals are beyond it.",
         accuracy=(_there_and_back(1e-14, f"{tried} by way of n_t"),),
         at=_GLASS,
-        curve=_curve(_axis(level, title), 0.0, 1.0, _N, [("n_t", "n")], lambda _, x: [index(x)]),
+        curve=_curve((level, title), 0.0, 1.0, _TO_N, lambda _, x: [index(x)]),
     )
 
 
@@ -125,7 +126,7 @@ FORMULAS = (
         validity="Dielectrics, from either side; F0 does not tell n_t from n_i^2 / n_t.",
         accuracy=(_there_and_back(1e-14, "n_t from 1.05 to 60 by way of F0"),),
         at=_GLASS,
-        curve=_curve(_N, 1.0, 4.0, _F0, [("F0", "F0")], lambda _, x: [know("ior", n_t=x).F0]),
+        curve=_curve(_N, 1.0, 4.0, _TO_F0, lambda _, x: [know("ior", n_t=x).F0]),
     ),
     Formula(
         id="conversion.nk",
@@ -136,14 +137,7 @@ FORMULAS = (
         accuracy=(rounding(1e-14, "F0", "n from 0.05 to 10, k up to 10"),),
         at=_GOLD,
         takes=(N_T,),
-        curve=_curve(
-            _axis(K_T, "extinction k_t"),
-            0.0,
-            8.0,
-            _F0,
-            [("F0", "F0")],
-            lambda i, x: [know("nk", n_t=float(i.eta), k_t=x).F0],
-        ),
+        curve=_curve((K_T, "extinction k_t"), 0.0, 8.0, _TO_F0, lambda i, x: [_at(i, k_t=x).F0]),
     ),
     Formula(
         id="conversion.f0",
@@ -155,12 +149,7 @@ FORMULAS = (
         accuracy=(_there_and_back(1e-14, "F0 from 0.001 to 0.96 by way of n_t"),),
         at=_GLASS,
         curve=_curve(
-            _axis(F0_LINEAR, "F0, linear"),
-            0.0,
-            0.5,
-            _N,
-            [("n_t", "n")],
-            lambda _, x: [know("f0", F0=x).index[0]],
+            (F0_LINEAR, "F0, linear"), 0.0, 0.5, _TO_N, lambda _, x: [know("f0", F0=x).index[0]]
         ),
     ),
     Formula(
@@ -178,11 +167,10 @@ FORMULAS = (
         accuracy=(_there_and_back(1e-14, "F0 from 0.001 to 1 by way of sRGB"),),
         at=_GLASS,
         curve=_curve(
-            _axis(F0_SRGB, "F0 as an sRGB value"),
+            (F0_SRGB, "F0 as an sRGB value"),
             0.0,
             1.0,
-            _F0,
-            [("F0", "F0")],
+            _TO_F0,
             lambda _, x: [know("f0_srgb", F0_srgb=x).F0],
         ),
     ),
@@ -203,11 +191,10 @@ FORMULAS = (
         ),
         at=_GLASS,
         curve=_curve(
-            _axis(F0_LINEAR, "F0 before rounding"),
+            (F0_LINEAR, "F0 before rounding"),
             0.0,
             0.02,
-            Axis("F0_decoded", "F_0", "F0 of the code"),
-            [("F0", "F0 of the code")],
+            (Axis("F0_decoded", "F_0", "F0 of the code"), [("F0", "F0 of the code")]),
             lambda _, x: _form(know("f0", F0=x), "f0_hex", "F0"),
         ),
     ),
@@ -242,12 +229,11 @@ FORMULAS = (
         at=_GOLD,
         takes=(N_T, K_T),
         curve=_curve(
-            _axis(EDGE_TINT, "edge tint g, at the F0 of n and k"),
+            (EDGE_TINT, "edge tint g, at the F0 of n and k"),
             0.0,
             1.0,
-            _INDEX,
-            _INDEX_NAMES,
-            lambda i, x: _index(know("rg", r=float(i.F0), g=x)),
+            _TO_INDEX,
+            lambda i, x: know("rg", r=float(i.F0), g=x).index,
         ),
     ),
     Formula(
@@ -262,12 +248,11 @@ FORMULAS = (
         at=_GOLD,
         takes=(N_T, K_T),
         curve=_curve(
-            _axis(TINT_ANGLE, "edge tint G, at the F0 of n and k"),
+            (TINT_ANGLE, "edge tint G, at the F0 of n and k"),
             0.0,
             1.0,
-            _INDEX,
-            _INDEX_NAMES,
-            lambda i, x: _index(know("dg", r=float(i.F0), G=x)),
+            _TO_INDEX,
+            lambda i, x: know("dg", r=float(i.F0), G=x).index,
         ),
     ),
     Formula(
@@ -286,9 +271,8 @@ FORMULAS = (
             _N,
             0.1,
             4.0,
-            Axis("R", "R", "reflectance"),
-            [("F0", "F0"), ("F82", "F82")],
-            lambda i, x: _form(know("nk", n_t=x, k_t=float(i.kappa)), "f82", "F0", "F82"),
+            (Axis("R", "R", "reflectance"), [("F0", "F0"), ("F82", "F82")]),
+            lambda i, x: _form(_at(i, n_t=x), "f82", "F0", "F82"),
         ),
     ),
     Formula(
@@ -308,9 +292,8 @@ FORMULAS = (
             _N,
             0.1,
             4.0,
-            Axis("tint", r"\text{tint}", "tint"),
-            [("tint", "tint")],
-            lambda i, x: _form(know("nk", n_t=x, k_t=float(i.kappa)), "f82_tint", "tint"),
+            (Axis("tint", r"\text{tint}", "tint"), [("tint", "tint")]),
+            lambda i, x: _form(_at(i, n_t=x), "f82_tint", "tint"),
         ),
     ),
     Formula(
@@ -327,11 +310,10 @@ FORMULAS = (
         at=_GLASS,
         takes=(N_T, K_T),
         curve=_curve(
-            _axis(SEEN_FROM, "index of the medium in front"),
+            (SEEN_FROM, "index of the medium in front"),
             1.0,
             3.0,
-            _F0,
-            [("F0", "F0")],
+            _TO_F0,
             lambda i, x: _form(_at(i), "f0_seen_from", "F0", seen_from=x),
         ),
     ),

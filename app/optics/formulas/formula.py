@@ -5,11 +5,11 @@ Models and fits of the albedo have declarations of their own, of each of which
 conversions, is declared as a `Formula` beside this file.
 """
 
-from __future__ import annotations
-
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Literal, cast, get_args
+
+import numpy as np
 
 from app.optics.interface import Interface
 from app.optics.parameters import Array, Parameter
@@ -103,6 +103,23 @@ class Curve:
     series: tuple[Series, ...]
 
 
+Curves = Callable[[Interface, int], Curve]
+Columns = Iterable[tuple[str, str, Array]]
+"""Id, title and values of each series."""
+
+
+def over(
+    x: Axis, low: float, high: float, y: Axis, columns: Callable[[Interface, Array], Columns]
+) -> Curves:
+    """Plot what `columns(interface, x)` gives at equally spaced x, both ends included."""
+
+    def curve(interface: Interface, samples: int) -> Curve:
+        at = np.linspace(low, high, samples)
+        return Curve(x, at, y, tuple(Series(*column) for column in columns(interface, at)))
+
+    return curve
+
+
 THETA = Axis("theta_i_deg", r"\theta_i", "angle of incidence", "deg")
 ETA = Axis("eta", r"\eta", "relative index n_t/n_i")
 
@@ -143,7 +160,7 @@ class Formula:
     reference: str
     validity: str
     accuracy: tuple[Accuracy, ...]
-    curve: Callable[[Interface, int], Curve]
+    curve: Curves
     at: Interface
     takes: tuple[Parameter, ...] = ()
     symbols: tuple[Symbol, ...] = ()

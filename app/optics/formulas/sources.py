@@ -1,7 +1,5 @@
 """Where the references can be read: addresses of DOIs, and of what is on the web without one."""
 
-from __future__ import annotations
-
 import re
 
 _DOI = re.compile(r"doi:(10\.[^\s,;]+)")

@@ -4,8 +4,6 @@ The glossary holds those that mean the same everywhere. A formula explains the o
 parameters, by declared symbols, or by an equation of its own such as `g=\sqrt{\eta^2-1+c^2}`.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator
 

@@ -5,8 +5,6 @@ leave the processor's cache and cost more time than the arithmetic, and many tim
 the answer; over pieces of `VALUES` they are made in the cache and forgotten there.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial

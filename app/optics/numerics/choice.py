@@ -3,8 +3,6 @@
 One number is a float, with which Python is faster; many are an array, with which NumPy is.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

@@ -13,8 +13,6 @@ References
    Mathematik 18, 224 (1971).
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from fractions import Fraction

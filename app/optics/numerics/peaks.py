@@ -6,8 +6,6 @@ References
    (2004).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import cache
 from typing import NamedTuple

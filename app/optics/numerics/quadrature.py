@@ -7,8 +7,6 @@ References
 .. [2] A. Sidi, A New Variable Transformation for Numerical Integration, ISNM 112, 359-373 (1993).
 """
 
-from __future__ import annotations
-
 from functools import cache
 from typing import NamedTuple
 

@@ -7,8 +7,6 @@ digits than are compared. Squared cosines are sums of positive terms, so no digi
 `python -m tests.optics.reference.albedo` writes albedo_points.json.
 """
 
-from __future__ import annotations
-
 import json
 from dataclasses import asdict, dataclass
 from functools import cache

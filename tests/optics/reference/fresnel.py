@@ -4,8 +4,6 @@ Inputs are taken as the exact numbers that the doubles are, angles as degrees. T
 those of `app.optics.amplitudes`, so that a mistake there cannot repeat itself here.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from mpmath import mp, mpc, mpf

@@ -1,7 +1,5 @@
 """Every fit of the albedo, by id."""
 
-from __future__ import annotations
-
 from app.optics.albedo.fits import conductor, dielectric, schlick
 from app.optics.collection import Collection
 from app.optics.errors import UnknownName

@@ -1,6 +1,6 @@
 """Fits of a conductor's albedo; n = eta and k = kappa, so they hold for every incident medium."""
 
-from __future__ import annotations
+from typing import Any
 
 import numpy as np
 from numpy.polynomial.polynomial import polyval, polyval2d
@@ -24,18 +24,13 @@ _EXACT_FOR = (
     "is close to Fresnel's where n^2 + k^2 is large."
 )
 _POWERS = (Symbol("i", "row, from 0"), Symbol("j", "column, from 0"))
-_OURS = "no figure published; measured here"
 
 
-def _metals(measured: float, at: tuple[float, float], claimed: float | None = None) -> Claim:
-    return Claim(
-        domain=METALS,
-        claimed=claimed,
-        source=_OURS if claimed is None else "stated beside the formula, d'Eon 2019",
-        measured=measured,
-        at=at,
-        measured_over=METALS,
-    )
+_D_EON = "stated beside the formula, d'Eon 2019"
+
+
+def _metals(measured: float, at: tuple[float, float], **said: Any) -> Claim:
+    return Claim(domain=METALS, measured=measured, at=at, **said)
 
 
 def _matrix(name: str, coefficients: tuple[tuple[float, ...], ...]) -> str:
@@ -170,7 +165,7 @@ FITS = (
         symbols=_POWERS,
         reference=_HITCHHIKER,
         note="A quotient of polynomials in n and k.",
-        claims=(_metals(0.00309, (0.50, 1.7), claimed=0.001),),
+        claims=(_metals(0.00309, (0.50, 1.7), claimed=0.001, source=_D_EON),),
         function=_deon_rational,
     ),
     Fit(
@@ -184,7 +179,7 @@ FITS = (
         symbols=_POWERS,
         reference=_HITCHHIKER,
         note="A quotient of polynomials in F0 and in the edge tint G of his modified mapping.",
-        claims=(_metals(0.000165, (0.69, 1.7), claimed=0.00006),),
+        claims=(_metals(0.000165, (0.69, 1.7), claimed=0.00006, source=_D_EON),),
         function=_deon_rg,
     ),
     Fit(
@@ -226,7 +221,6 @@ FITS = (
                 source="given for large k without a bound",
                 measured=0.0656,
                 at=(4.0, 10.0),
-                measured_over=Domain(eta=(0.1, 4.0), kappa=(10.0, 100.0)),
             ),
             _metals(6.81, (4.0, 1.7)),
         ),

@@ -1,6 +1,6 @@
 """Fits of a dielectric's albedo, from the thin side (eta > 1) and from the dense side (eta < 1)."""
 
-from __future__ import annotations
+from typing import Any
 
 import numpy as np
 from numpy.polynomial import polynomial
@@ -50,34 +50,16 @@ def _kulla_conty_internal(interface: Interface) -> Array:
     return polyval(interface.eta, (0.997118, 0.1014, -0.965241, -0.130607))
 
 
-def _claim(low: float, high: float, measured: float, at: float, source: str) -> Claim:
-    domain = Domain(eta=(low, high))
-    return Claim(
-        domain=domain, source=source, measured=measured, at=(at, 0.0), measured_over=domain
-    )
+def _claim(low: float, high: float, measured: float, at: float, **said: Any) -> Claim:
+    return Claim(domain=Domain(eta=(low, high)), measured=measured, at=(at, 0.0), **said)
 
 
 def _relative(
-    low: float,
-    high: float,
-    claimed: float,
-    measured: float,
-    at: float,
-    over: tuple[float, float] | None = None,
+    low: float, high: float, claimed: float, measured: float, at: float, over: Domain | None = None
 ) -> Claim:
-    domain = Domain(eta=(low, high))
-    return Claim(
-        domain=domain,
-        claimed=claimed,
-        relative=True,
-        source=_MITSUBA,
-        measured=measured,
-        at=(at, 0.0),
-        measured_over=Domain(eta=over) if over else domain,
-    )
+    said = {"claimed": claimed, "relative": True, "source": _MITSUBA, "over": over}
+    return _claim(low, high, measured, at, **said)
 
-
-_OURS = "no figure published; measured here"
 
 FITS = (
     Fit(
@@ -87,7 +69,9 @@ FITS = (
         latex=r"A\approx\ln\frac{10893\,n-1438.2}{1+10212\,n-774.4\,n^2}",
         reference="E. d'Eon, A Hitchhiker's Guide to Multiple Scattering, Fresnel Boundaries, 2019",
         note="Does not go to 0 as n approaches 1, where its error is largest.",
-        claims=(_claim(1.0, 3.0, 0.00172, 1.0, "error plot without a figure, for 1 < n < 3"),),
+        claims=(
+            _claim(1.0, 3.0, 0.00172, 1.0, source="error plot without a figure, for 1 < n < 3"),
+        ),
         function=_deon_log,
     ),
     Fit(
@@ -100,9 +84,9 @@ FITS = (
         "Materials, ACM Trans. Graph. 30(4), 2011, doi:10.1145/2010324.1964951; in Mitsuba and PBRT",
         note="The fit that renderers use from outside. " + _FROM_1_01,
         claims=(
-            _relative(1.0, 2.0, 0.001, 0.00936, 1.01, (1.01, 2.0)),
+            _relative(1.0, 2.0, 0.001, 0.00936, 1.01, Domain(eta=(1.01, 2.0))),
             _relative(2.0, 10.0, 0.002, 0.0135, 10.0),
-            _claim(1.02, 2.0, 7.18e-5, 1.035, _OURS),
+            _claim(1.02, 2.0, 7.18e-5, 1.035),
         ),
         function=_deon_irving,
     ),
@@ -115,7 +99,7 @@ FITS = (
         "Diffusion in Multi-Layered Translucent Materials, SIGGRAPH 2005, "
         "doi:10.1145/1073204.1073308, print it",
         note="Printed there with the reciprocal index, for eta < 1.",
-        claims=(_claim(1.0, 2.0, 0.0017, 1.0, _OURS),),
+        claims=(_claim(1.0, 2.0, 0.0017, 1.0),),
         function=_egan_hilgeman_external,
     ),
     Fit(
@@ -126,7 +110,7 @@ FITS = (
         reference="C. Kulla and A. Conty, Revisiting Physically Based Shading at Imageworks, "
         "SIGGRAPH 2017 course; in Blender Cycles",
         note="Goes to 0 at n = 1, though with the slope 0.197 in place of 1/3.",
-        claims=(_claim(1.0, 100.0, 0.00653, 1.173, _OURS),),
+        claims=(_claim(1.0, 100.0, 0.00653, 1.173),),
         function=_kulla_conty,
     ),
     Fit(
@@ -138,10 +122,12 @@ FITS = (
         "Subsurface Light Transport, SIGGRAPH 2001, doi:10.1145/383259.383319, quote it; in Mitsuba",
         note="Internal diffuse reflectance, n the dense medium's relative index. " + _FROM_1_01,
         claims=(
-            _relative(1.0 / 1.5, 1.0, 0.001, 0.0391, 1.0 / 1.01, (1.0 / 1.5, 1.0 / 1.01)),
+            _relative(
+                1.0 / 1.5, 1.0, 0.001, 0.0391, 1.0 / 1.01, Domain(eta=(1.0 / 1.5, 1.0 / 1.01))
+            ),
             _relative(0.5, 1.0 / 1.5, 0.006, 0.000781, 1.0 / 1.5),
             _relative(0.2, 0.5, 0.095, 0.0952, 0.2),
-            _claim(0.5, 1.0 / 1.01, 0.000932, 0.916, _OURS),
+            _claim(0.5, 1.0 / 1.01, 0.000932, 0.916),
         ),
         function=_egan_hilgeman,
     ),
@@ -154,7 +140,7 @@ FITS = (
         reference="E. d'Eon and G. Irving, A Quantized-Diffusion Model for Rendering Translucent "
         "Materials, 2011, doi:10.1145/2010324.1964951; in PBRT, FresnelMoment1",
         note="Internal diffuse reflectance, n = 1/eta; a polynomial that runs away above n = 2.",
-        claims=(_claim(0.5, 1.0, 0.00434, 1.0, _OURS),),
+        claims=(_claim(0.5, 1.0, 0.00434, 1.0),),
         function=_deon_irving_internal,
     ),
     Fit(
@@ -165,7 +151,7 @@ FITS = (
         reference="C. Kulla and A. Conty, Revisiting Physically Based Shading at Imageworks, SIGGRAPH "
         "2017 course; in Blender Cycles",
         note="Internal diffuse reflectance. Leaves 0.0027 at eta = 1.",
-        claims=(_claim(0.01, 1.0, 0.00267, 1.0, _OURS),),
+        claims=(_claim(0.01, 1.0, 0.00267, 1.0),),
         function=_kulla_conty_internal,
     ),
 )

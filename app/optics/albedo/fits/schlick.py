@@ -1,7 +1,5 @@
 """Averages of Schlick's polynomial and of its descendants, from F0 (and F82) alone."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from app.optics.albedo.fit import Claim, Domain, Fit
@@ -11,11 +9,6 @@ from app.optics.parameters import Array
 from app.optics.specular import DIP_SCALE, F82, MU_BAR, polynomial
 
 _GLASSES = Domain(eta=(1.0, 3.0))
-_OURS = "no figure published; measured here"
-
-
-def _claim(domain: Domain, measured: float, at: tuple[float, float]) -> Claim:
-    return Claim(domain=domain, source=_OURS, measured=measured, at=at, measured_over=domain)
 
 
 def _schlick(interface: Interface) -> Array:
@@ -38,7 +31,10 @@ FITS = (
         reference="The average of C. Schlick's polynomial, 2 B(2, 6) = 1/21, "
         "doi:10.1111/1467-8659.1330233",
         note="Exact for Schlick's own curve; 1/21 remains at n = 1.",
-        claims=(_claim(_GLASSES, 0.0477, (1.0, 0.0)), _claim(METALS, 0.0362, (4.0, 4.83))),
+        claims=(
+            Claim(domain=_GLASSES, measured=0.0477, at=(1.0, 0.0)),
+            Claim(domain=METALS, measured=0.0362, at=(4.0, 4.83)),
+        ),
         function=_schlick,
     ),
     Fit(
@@ -50,7 +46,7 @@ FITS = (
         reference="P. Kutz, M. Hašan and D. Edmondson, Novel Aspects of the Adobe Standard Material "
         "(2021); OpenPBR; in Blender Cycles",
         note="Exact for the model f82_tint, and so for hoffman_f82, which is the same curve.",
-        claims=(_claim(METALS, 0.0125, (0.83, 1.7)),),
+        claims=(Claim(domain=METALS, measured=0.0125, at=(0.83, 1.7)),),
         function=_f82_tint,
     ),
 )
