@@ -15,7 +15,7 @@ LAYERS = {
     "app.optics": set(),
     "app.materials": {"app.optics"},
     "app.snippets": {"app.optics"},
-    "app.claims": {"app.optics"},
+    "app.claims": {"app.answers", "app.optics"},
     "app.batch": {"app.materials", "app.optics"},
     "app.figures": set(),
     "app.answers": {"app.materials", "app.optics"},
@@ -41,7 +41,7 @@ OUTSIDE = {
     "app.optics": {"numpy", "scipy"},
     "app.snippets": set(),
     "app.materials": {"numpy", "scipy", "pydantic", "yaml", "orjson"},
-    "app.claims": set(),
+    "app.claims": {"numpy"},
 }
 WEB = {"fastapi", "starlette", "uvicorn", "pydantic", "pydantic_core", "orjson", "typer"}
 
