@@ -1,54 +1,11 @@
-"""What is registered and declared: models and parameters."""
+"""Registered models."""
 
 from __future__ import annotations
-
-from dataclasses import asdict
 
 from app.answers.answer import answer
 from app.optics.interface import Kind
 from app.optics.parameters import Parameter
-from app.optics.registry import Model, ModelKind
-
-
-@answer
-class DeclaredParameter:
-    """A declared parameter with its bounds."""
-
-    name: str
-    symbol: str
-    """LaTeX"""
-    default: float | None
-    """Null where it is solved from the interface."""
-    minimum: float
-    maximum: float
-    unit: str
-    description: str
-    integer: bool
-    """Whether only whole numbers make sense."""
-    choices: list[tuple[str, float]]
-    """The only values, where not all are."""
-    triple: bool
-    """Whether three values, for R, G and B, give three curves."""
-
-    @classmethod
-    def of(cls, parameter: Parameter) -> DeclaredParameter:
-        """Describe a parameter."""
-        return cls(**asdict(parameter))
-
-
-@answer
-class MeasuredError:
-    """The error of a model at one interface, which a test measures again."""
-
-    n_i: float
-    n_t: float
-    k_t: float
-    max_abs: float
-    """Largest |R - exact| over the hemisphere."""
-    at_deg: float
-    """Angle where it is reached."""
-    rms: float
-    """Root mean square over the solid angle."""
+from app.optics.registry import Cost, Measured, Model, ModelKind
 
 
 @answer
@@ -61,13 +18,13 @@ class RegisteredModel:
     trap: bool
     """Whether the model is kept to show a mistake."""
     applies_to: tuple[Kind, ...]
-    parameters: list[DeclaredParameter]
+    parameters: tuple[Parameter, ...]
     latex: str
     reference: str
     validity: str
-    cost: dict[str, int]
+    cost: Cost
     """Operations of one evaluation."""
-    measured: list[MeasuredError]
+    measured: tuple[Measured, ...]
     """Errors at representative interfaces."""
     shaders: str | None
     """Where it is as code for shaders; null where it has no closed form."""
@@ -81,11 +38,11 @@ class RegisteredModel:
             kind=model.kind,
             trap=model.trap,
             applies_to=model.applies_to,
-            parameters=[DeclaredParameter.of(parameter) for parameter in model.parameters],
+            parameters=model.parameters,
             latex=model.latex,
             reference=model.reference,
             validity=model.validity,
-            cost=asdict(model.cost),
-            measured=[MeasuredError(**asdict(measured)) for measured in model.measured],
+            cost=model.cost,
+            measured=model.measured,
             shaders=shaders,
         )

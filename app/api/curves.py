@@ -20,7 +20,7 @@ from app.optics.registry import Registry
 _INLINE_VALUES = 20_000
 
 
-class CurvesQuery(TableQuery, SamplesQuery, ModelsQuery, InterfaceQuery):
+class CurvesQuery(ModelsQuery, TableQuery, SamplesQuery, InterfaceQuery):
     """Curves over the angle of incidence."""
 
     phase: bool = Field(False, description="Add phase_s_deg and phase_p_deg of `exact`.")

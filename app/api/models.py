@@ -9,13 +9,13 @@ from fastapi import APIRouter, Query
 from pydantic import Field
 
 from app.answers.answer import ChosenFields, answer, chosen_fields
-from app.answers.models import DeclaredParameter, RegisteredModel
-from app.api.shaders import shader_url
+from app.answers.models import RegisteredModel
+from app.answers.shaders import shader_url
 from app.http.problems import MissingResource
 from app.http.query import QueryModel
 from app.http.route import LastingRoute
 from app.optics.errors import UnknownModel
-from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG
+from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, Parameter
 from app.optics.registry import Registry
 
 
@@ -41,14 +41,13 @@ class Models:
 class Parameters:
     """The parameters common to all endpoints."""
 
-    parameters: list[DeclaredParameter]
+    parameters: tuple[Parameter, ...]
 
 
 def router(registry: Registry) -> APIRouter:
     """Routes over the models of `registry`."""
     routes = APIRouter(route_class=LastingRoute, tags=["models"])
     described = [RegisteredModel.of(model, shader_url(model)) for model in registry.values()]
-    declared = [DeclaredParameter.of(parameter) for parameter in (N_I, N_T, K_T, THETA_I_DEG)]
 
     @routes.get("/models", summary="All models")
     def models(query: Annotated[ModelsQuery, Query()]) -> Models:
@@ -67,6 +66,6 @@ def router(registry: Registry) -> APIRouter:
 
     @routes.get("/parameters", summary="Parameters and bounds")
     def parameters() -> Parameters:
-        return Parameters(parameters=declared)
+        return Parameters(parameters=(N_I, N_T, K_T, THETA_I_DEG))
 
     return routes

@@ -11,6 +11,7 @@ import pytest
 from fastapi import FastAPI
 
 from app.main import create_app
+from tests.api.shape import check_shape
 
 
 @pytest.fixture(scope="session")
@@ -20,7 +21,7 @@ def app() -> FastAPI:
 
 @pytest.fixture(scope="session")
 def ask(app: FastAPI) -> Callable[..., httpx.Response]:
-    """`ask(path, headers, **query)`, the path below /api/v1."""
+    """`ask(path, headers, **query)`, the path below /api/v1; JSON is of the shape that is told."""
 
     def get(path: str, headers: dict[str, str] | None = None, **parameters: Any) -> httpx.Response:
         async def request() -> httpx.Response:
@@ -29,6 +30,9 @@ def ask(app: FastAPI) -> Callable[..., httpx.Response]:
                 query = parameters or None  # an empty one would drop what the path brings
                 return await client.get(f"/api/v1{path}", params=query, headers=headers)
 
-        return asyncio.run(request())
+        answer = asyncio.run(request())
+        if answer.status_code == 200 and answer.headers["content-type"] == "application/json":
+            check_shape(app, answer.url.path, answer.json())
+        return answer
 
     return get

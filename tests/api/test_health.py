@@ -8,7 +8,7 @@ from importlib.metadata import version
 import httpx
 
 from app import __version__
-from app.api.schemas import HealthOut
+from tests.api.shape import fields_of
 
 Ask = Callable[..., httpx.Response]
 
@@ -16,11 +16,11 @@ Ask = Callable[..., httpx.Response]
 def test_is_well(ask: Ask) -> None:
     answer = ask("/health")
     assert answer.status_code == 200
-    health = HealthOut.model_validate_json(answer.content, strict=True, extra="forbid")
+    health = fields_of(answer.content)
     assert health.status == "ok"
     assert health.version == __version__
-    assert {"fastapi", "numpy", "pydantic", "scipy", "uvicorn"} <= set(health.libraries)
-    assert all(version(name) == told for name, told in health.libraries.items())
+    assert {"fastapi", "numpy", "pydantic", "scipy", "uvicorn"} <= set(vars(health.libraries))
+    assert all(version(name) == told for name, told in vars(health.libraries).items())
 
 
 def test_is_never_kept(ask: Ask) -> None:

@@ -12,11 +12,11 @@ import pytest
 from fastapi import FastAPI
 
 import app.optics.models
-from app.api.schemas import ModelOut, ModelsOut, ParametersOut
 from app.main import create_app
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG
 from app.optics.registry import default_registry
 from tests.api.raw import send
+from tests.api.shape import fields_of
 
 Ask = Callable[..., httpx.Response]
 
@@ -47,7 +47,7 @@ MODEL = Model(
 def test_lists_all_that_is_registered_in_order(ask: Ask) -> None:
     answer = ask("/models")
     assert answer.status_code == 200
-    listed = ModelsOut.model_validate_json(answer.content, strict=True, extra="forbid").models
+    listed = fields_of(answer.content).models
     assert [model.id for model in listed] == list(default_registry())
 
 
@@ -55,7 +55,7 @@ def test_lists_all_that_is_registered_in_order(ask: Ask) -> None:
 def test_describes_each(ask: Ask, model_id: str) -> None:
     answer = ask(f"/models/{model_id}")
     assert answer.status_code == 200
-    told = ModelOut.model_validate_json(answer.content, strict=True, extra="forbid")
+    told = fields_of(answer.content)
     model = default_registry()[model_id]
     assert (told.id, told.kind, told.applies_to) == (model_id, model.kind, list(model.applies_to))
     assert [p.name for p in told.parameters] == [p.name for p in model.parameters]
@@ -91,7 +91,7 @@ def test_unknown_models_are_not_found_but_the_nearest_are(
 
 def test_parameters_are_those_declared(ask: Ask) -> None:
     answer = ask("/parameters")
-    told = ParametersOut.model_validate_json(answer.content, strict=True, extra="forbid")
+    told = fields_of(answer.content)
     by_name = {parameter.name: parameter for parameter in told.parameters}
     for declared in (N_I, N_T, K_T, THETA_I_DEG):
         shown = by_name[declared.name]

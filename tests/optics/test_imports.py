@@ -18,7 +18,7 @@ LAYERS = {
     "app.claims": {"app.answers", "app.optics"},
     "app.batch": {"app.materials", "app.optics"},
     "app.figures": set(),
-    "app.answers": {"app.materials", "app.optics"},
+    "app.answers": {"app.materials", "app.optics", "app.snippets"},
     "app.server.pool": set(),
     "app.server.drain": set(),
     "app.http": {"app.answers", "app.optics", "app.server.pool"},

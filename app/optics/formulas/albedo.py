@@ -6,9 +6,9 @@ from app.optics.albedo.flatland import flatland_albedo
 from app.optics.formulas.formula import (
     ETA,
     Accuracy,
-    Axis,
     Columns,
     Formula,
+    Plotted,
     Symbol,
     over,
     rounding,
@@ -16,9 +16,9 @@ from app.optics.formulas.formula import (
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_T, Array
 
-_ALBEDO = Axis("albedo", "A", "albedo")
-_SHARE = Axis("share", "A", "share of diffuse light")
-_BODY = Axis(BODY_ALBEDO.name, BODY_ALBEDO.symbol, "albedo of the body under the coat")
+_ALBEDO = Plotted("albedo", "A", "albedo")
+_SHARE = Plotted("share", "A", "share of diffuse light")
+_BODY = Plotted(BODY_ALBEDO.name, BODY_ALBEDO.symbol, "albedo of the body under the coat")
 
 
 def _by_polarization(interface: Interface, eta: Array) -> Columns:

@@ -6,10 +6,10 @@ from app.optics.angles import brewster_deg, critical_deg, principal_deg, pseudo_
 from app.optics.formulas.formula import (
     ETA,
     THETA,
-    Axis,
     Columns,
     Curves,
     Formula,
+    Plotted,
     Symbol,
     over,
     rounding,
@@ -19,9 +19,9 @@ from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, Array
 from app.optics.snell import penetration_depth_wavelengths, refraction_angle_deg
 
-_REFRACTION = Axis("theta_t_deg", r"\theta_t", "angle of refraction", "deg")
-_DEPTH = Axis("depth", "d", "depth of 1/e in vacuum wavelengths")
-_ANGLE = Axis("angle_deg", r"\theta_i", "angle of incidence", "deg")
+_REFRACTION = Plotted("theta_t_deg", r"\theta_t", "angle of refraction", "deg")
+_DEPTH = Plotted("depth", "d", "depth of 1/e in vacuum wavelengths")
+_ANGLE = Plotted("angle_deg", r"\theta_i", "angle of incidence", "deg")
 
 
 def _refraction(interface: Interface, theta: Array) -> Columns:

@@ -12,10 +12,10 @@ from app.optics.formulas.formula import (
     ETA,
     THETA,
     Accuracy,
-    Axis,
     Columns,
     Formula,
     FormulaKind,
+    Plotted,
     Symbol,
     over,
     rounding,
@@ -37,7 +37,7 @@ CONVENTIONS: dict[FormulaKind, str] = {
     "names it; n_t and k_t, of at least 0, belong to the second medium.",
 }
 
-_R = Axis("R", "R", "reflectance")
+_R = Plotted("R", "R", "reflectance")
 _FIT_SYMBOLS = (
     Symbol("n", "relative index eta"),
     Symbol("k", "relative extinction kappa"),
@@ -100,7 +100,7 @@ def of_fit(fit: Fit) -> Formula:
         at=Interface(1.0, 1.5, domain.kappa[0]),
         takes=(K_T,) if conductor else (),
         symbols=(*_FIT_SYMBOLS, *fit.symbols),
-        curve=over(ETA, *domain.eta, Axis("albedo", "A", words), columns),
+        curve=over(ETA, *domain.eta, Plotted("albedo", "A", words), columns),
     )
 
 

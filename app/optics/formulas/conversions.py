@@ -19,10 +19,10 @@ from app.optics.conversions import (
 from app.optics.edge_tint import EDGE_TINT, TINT_ANGLE
 from app.optics.formulas.formula import (
     Accuracy,
-    Axis,
     Columns,
     Curves,
     Formula,
+    Plotted,
     Symbol,
     over,
     rounding,
@@ -34,25 +34,29 @@ from app.optics.registry import default_registry
 Names = Sequence[tuple[str, str]]
 Value = Callable[[Interface, float], Sequence[float]]
 
-_N = Axis("n_t", "n_t", "index of refraction")
+_N = Plotted("n_t", "n_t", "index of refraction")
 _GLASS, _GOLD = Interface(n_t=1.5), Interface(1.0, 0.27, 2.9)
 
 # Ordinates, each with the names and titles of its series.
-_TO_F0 = Axis("F0", "F_0", "reflectance at normal incidence, linear"), (("F0", "F0"),)
+_TO_F0 = Plotted("F0", "F_0", "reflectance at normal incidence, linear"), (("F0", "F0"),)
 _TO_N = _N, (("n_t", "n"),)
 _TO_INDEX = (
-    Axis("index", "n_t, k_t", "index relative to the medium in front"),
+    Plotted("index", "n_t, k_t", "index relative to the medium in front"),
     (("n_t", "n"), ("k_t", "k")),
 )
 
 
 def _curve(
-    x: Axis | tuple[Parameter, str], low: float, high: float, to: tuple[Axis, Names], value: Value
+    x: Plotted | tuple[Parameter, str],
+    low: float,
+    high: float,
+    to: tuple[Plotted, Names],
+    value: Value,
 ) -> Curves:
     """Plot what a conversion gives along its own number, one point at a time as it is asked for."""
-    if not isinstance(x, Axis):
+    if not isinstance(x, Plotted):
         parameter, title = x
-        x = Axis(parameter.name, parameter.symbol, title, parameter.unit)
+        x = Plotted(parameter.name, parameter.symbol, title, parameter.unit)
     y, names = to
 
     def columns(interface: Interface, at: Array) -> Columns:
@@ -194,7 +198,7 @@ FORMULAS = (
             (F0_LINEAR, "F0 before rounding"),
             0.0,
             0.02,
-            (Axis("F0_decoded", "F_0", "F0 of the code"), [("F0", "F0 of the code")]),
+            (Plotted("F0_decoded", "F_0", "F0 of the code"), [("F0", "F0 of the code")]),
             lambda _, x: _form(know("f0", F0=x), "f0_hex", "F0"),
         ),
     ),
@@ -271,7 +275,7 @@ FORMULAS = (
             _N,
             0.1,
             4.0,
-            (Axis("R", "R", "reflectance"), [("F0", "F0"), ("F82", "F82")]),
+            (Plotted("R", "R", "reflectance"), [("F0", "F0"), ("F82", "F82")]),
             lambda i, x: _form(_at(i, n_t=x), "f82", "F0", "F82"),
         ),
     ),
@@ -292,7 +296,7 @@ FORMULAS = (
             _N,
             0.1,
             4.0,
-            (Axis("tint", r"\text{tint}", "tint"), [("tint", "tint")]),
+            (Plotted("tint", r"\text{tint}", "tint"), [("tint", "tint")]),
             lambda i, x: _form(_at(i, n_t=x), "f82_tint", "tint"),
         ),
     ),

@@ -75,7 +75,7 @@ def rounding(value: float, of: str, over: str, against: str = "50-digit arithmet
 
 
 @dataclass(frozen=True, slots=True)
-class Axis:
+class Plotted:
     """What runs along an axis: name in the API, LaTeX, words, unit."""
 
     name: str
@@ -97,9 +97,9 @@ class Series:
 class Curve:
     """A formula over its natural abscissa."""
 
-    x: Axis
+    x: Plotted
     at: Array
-    y: Axis
+    y: Plotted
     series: tuple[Series, ...]
 
 
@@ -109,7 +109,7 @@ Columns = Iterable[tuple[str, str, Array]]
 
 
 def over(
-    x: Axis, low: float, high: float, y: Axis, columns: Callable[[Interface, Array], Columns]
+    x: Plotted, low: float, high: float, y: Plotted, columns: Callable[[Interface, Array], Columns]
 ) -> Curves:
     """Plot what `columns(interface, x)` gives at equally spaced x, both ends included."""
 
@@ -120,8 +120,8 @@ def over(
     return curve
 
 
-THETA = Axis("theta_i_deg", r"\theta_i", "angle of incidence", "deg")
-ETA = Axis("eta", r"\eta", "relative index n_t/n_i")
+THETA = Plotted("theta_i_deg", r"\theta_i", "angle of incidence", "deg")
+ETA = Plotted("eta", r"\eta", "relative index n_t/n_i")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
