@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import fields
+from typing import Any, get_args
 
 import numpy as np
 
-from app.answers.answer import Gaps, Table, answer, number_or_none
+from app.answers.answer import Gaps, Table, answer, filled, number_or_none
 from app.answers.curves import Chosen
 from app.answers.interface import CONVENTION, InterfaceFacts
 from app.optics.albedo import (
     FITS,
     Albedo,
     Claim,
-    Domain,
+    CoatSplit,
     Fit,
     Quantity,
     albedo,
@@ -27,6 +28,7 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface, Kind
 from app.optics.parameters import Array
 
+QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
 CHANNELS = ("_red", "_green", "_blue")
 """What follows the name of a quantity that is three, for R, G and B."""
 
@@ -38,11 +40,6 @@ class FitDomain:
     kind: Kind
     eta: tuple[float, float]
     kappa: tuple[float, float]
-
-    @classmethod
-    def of(cls, domain: Domain) -> FitDomain:
-        """Describe a box."""
-        return cls(kind=domain.kind, eta=domain.eta, kappa=domain.kappa)
 
 
 @answer
@@ -67,15 +64,12 @@ class FitClaim:
     @classmethod
     def of(cls, claim: Claim) -> FitClaim:
         """Describe a claim."""
-        return cls(
-            domain=FitDomain.of(claim.domain),
-            claimed=claim.claimed,
-            relative=claim.relative,
-            source=claim.source,
-            measured=claim.measured,
+        return filled(
+            cls,
+            claim,
+            domain=filled(FitDomain, claim.domain),
             at=dict(zip(("eta", "kappa"), claim.at, strict=True)),
-            measured_over=FitDomain.of(claim.measured_over),
-            holds=claim.holds,
+            measured_over=filled(FitDomain, claim.measured_over),
         )
 
 
@@ -95,14 +89,10 @@ class RegisteredFit:
     @classmethod
     def of(cls, fit: Fit) -> RegisteredFit:
         """Describe a fit."""
-        return cls(
-            id=fit.id,
-            title=fit.title,
-            quantity=fit.quantity,
-            domains=[FitDomain.of(domain) for domain in fit.domains],
-            latex=fit.latex,
-            reference=fit.reference,
-            note=fit.note,
+        return filled(
+            cls,
+            fit,
+            domains=[filled(FitDomain, domain) for domain in fit.domains],
             claims=[FitClaim.of(claim) for claim in fit.claims],
         )
 
@@ -143,15 +133,14 @@ class FittedAlbedo:
     def of(cls, fit: Fit, interface: Interface, exact: Albedo) -> FittedAlbedo:
         """Evaluate a fit."""
         value, reason = fit(interface), fit.reason_outside(interface)
-        return cls(
-            id=fit.id,
-            title=fit.title,
-            quantity=fit.quantity,
+        error = value - getattr(exact, fit.quantity)
+        return filled(
+            cls,
+            fit,
             value=number_or_none(value),
-            error=number_or_none(value - getattr(exact, fit.quantity)),
+            error=number_or_none(error),
             in_domain=reason is None,
             reason=reason,
-            reference=fit.reference,
         )
 
 
@@ -193,10 +182,8 @@ class Side:
         """Describe what a surface reflects of diffuse light from the first medium."""
         return cls(
             exact=ExactAlbedo(
-                unpolarized=float(exact.unpolarized),
-                s=float(exact.s),
-                p=float(exact.p),
                 method=method(interface),
+                **{name: float(getattr(exact, name)) for name in QUANTITIES},
             ),
             approximations=[FittedAlbedo.of(fit, interface, exact) for fit in FITS.values()],
         )
@@ -207,7 +194,7 @@ class Albedos:
     """Albedo of one interface, exact and by every fit."""
 
     interface: InterfaceFacts
-    convention: str
+    convention: str = CONVENTION
     exact: ExactAlbedo
     flatland: float | None
     """Unpolarized, in two dimensions."""
@@ -221,7 +208,7 @@ class Albedos:
         """Lay the numbers out as one row."""
         row: dict[str, float | Array | None] = {
             **{name: getattr(self.interface, name) for name in ("n_i", "n_t", "k_t")},
-            **{f"exact.{name}": getattr(self.exact, name) for name in ("unpolarized", "s", "p")},
+            **{f"exact.{name}": getattr(self.exact, name) for name in QUANTITIES},
             "flatland": self.flatland,
         }
         for fitted in self.approximations:
@@ -240,7 +227,7 @@ class Coat:
     """Where the light goes that falls on a diffuse body under a clear coat."""
 
     interface: InterfaceFacts
-    convention: str
+    convention: str = CONVENTION
     body_albedo: float
     theta_i_deg: float | None
     """Null for diffuse light."""
@@ -257,8 +244,8 @@ class Coat:
 
     def table(self) -> Table:
         """Lay the shares out as one row."""
-        names = ("external", "internal", "surface", "body", "absorbed")
-        return Table({name: np.array([getattr(self, name)]) for name in names}, "coat.csv")
+        parts = (part.name for part in fields(CoatSplit))
+        return Table({name: np.array([getattr(self, name)]) for name in parts}, "coat.csv")
 
 
 def albedos(interface: Interface, models: Iterable[Chosen] = ()) -> Albedos:
@@ -270,7 +257,6 @@ def albedos(interface: Interface, models: Iterable[Chosen] = ()) -> Albedos:
         inner = Side.of(reverse, albedo(reverse))
     return Albedos(
         interface=InterfaceFacts.of(interface),
-        convention=CONVENTION,
         exact=outer.exact,
         flatland=float(flatland_albedo(interface)),
         approximations=outer.approximations,
@@ -283,12 +269,12 @@ def coat(interface: Interface, body_albedo: float, theta_i_deg: float | None = N
     """Split the light that falls on a coat, diffuse or, at an angle, a ray."""
     ray = None if theta_i_deg is None else Incidence.from_degrees(theta_i_deg)
     split = coat_split(interface, body_albedo, ray)
+    shares: dict[str, Any] = {p.name: float(getattr(split, p.name)) for p in fields(split)}
     return Coat(
         interface=InterfaceFacts.of(interface),
-        convention=CONVENTION,
         body_albedo=body_albedo,
         theta_i_deg=theta_i_deg,
-        **{part.name: float(getattr(split, part.name)) for part in fields(split)},
+        **shares,
     )
 
 

@@ -8,12 +8,12 @@ from typing import Literal
 
 import numpy as np
 
-from app.answers.albedo import CHANNELS
+from app.answers.albedo import CHANNELS, QUANTITIES
 from app.answers.answer import Gaps, Rows, Table, Values, answer
 from app.answers.axes import Axis, Grid, held
 from app.answers.curves import Chosen
 from app.answers.interface import CONVENTION, PresetInterface, ResolvedPreset
-from app.optics.albedo import Albedo, Fit, Quantity, albedo, flatland_albedo, model_albedo
+from app.optics.albedo import Albedo, Domain, Fit, Quantity, albedo, flatland_albedo, model_albedo
 from app.optics.errors import NotAllowed
 from app.optics.interface import Interface
 from app.optics.parameters import Array
@@ -47,7 +47,7 @@ class AlbedoCurve:
 class AlbedoSweep:
     """Albedos along a sweep."""
 
-    convention: str
+    convention: str = CONVENTION
     n_i: float
     incident: ResolvedPreset | None
     """The preset that n_i comes from."""
@@ -85,12 +85,18 @@ class Box:
     n_t: tuple[float, float]
     k_t: tuple[float, float]
 
+    @classmethod
+    def of(cls, domain: Domain, n_i: float) -> Box:
+        """Scale a domain by the index of the incident medium."""
+        (low, high), (least, most) = domain.eta, domain.kappa
+        return cls(n_t=(low * n_i, high * n_i), k_t=(least * n_i, most * n_i))
+
 
 @answer
 class AlbedoMap:
     """A grid of albedos or of a fit's errors over n_t and k_t."""
 
-    convention: str
+    convention: str = CONVENTION
     n_i: float
     n_t: Values
     k_t: Values
@@ -125,21 +131,17 @@ def albedo_sweep(
     exact = albedo(interface)
     curves = [
         AlbedoCurve(kind="exact", id="exact", quantity=name, values=getattr(exact, name))
-        for name in ("unpolarized", "s", "p")
+        for name in QUANTITIES
     ]
     if flatland:
         flat = flatland_albedo(interface)
         curves.append(AlbedoCurve(kind="exact", id="flatland", quantity="unpolarized", values=flat))
     curves += [_fitted(fit, interface, exact, axis.values) for fit in fits]
     curves += [curve for chosen in models for curve in _averaged(chosen, interface, exact)]
-    _, n_t, k_t = held(fixed, axis.name)
     named = fixed.incident if isinstance(fixed, PresetInterface) else None
     return AlbedoSweep(
-        convention=CONVENTION,
-        n_i=float(fixed.n_i),
+        **held(fixed, axis.name),
         incident=ResolvedPreset.of(named),
-        n_t=n_t,
-        k_t=k_t,
         over=axis.name,
         values=axis.values,
         curves=curves,
@@ -181,20 +183,7 @@ def albedo_map(
     show: Shown | None = None,
     quantity: Quantity | None = None,
 ) -> AlbedoMap:
-    """Evaluate albedos, or a fit's errors, over a rectangle.
-
-    Parameters
-    ----------
-    n_i
-        Index of the incident medium.
-    n, k
-        Ends and numbers of n_t and of k_t.
-    fit
-        What to compare with the exact albedo.
-    show
-        The exact albedo, the fit's or their difference, which is the default of a fit.
-    quantity
-        Polarization of the exact albedo; a fit has its own.
+    """Evaluate albedos, or a fit's errors, over a rectangle of n_t and k_t.
 
     Raises
     ------
@@ -211,20 +200,13 @@ def albedo_map(
     values = truth = getattr(exact, quantity)
     domains, largest_inside = [], None
     if fit:
-        domains = [
-            Box(
-                n_t=(domain.eta[0] * n_i, domain.eta[1] * n_i),
-                k_t=(domain.kappa[0] * n_i, domain.kappa[1] * n_i),
-            )
-            for domain in fit.domains
-        ]
+        domains = [Box.of(domain, n_i) for domain in fit.domains]
         if show != "exact":
             value = fit(grid.interface)
             values = np.asarray(value - truth) if show == "error" else value
         inside = fit.contains(grid.interface)
         largest_inside = _largest(np.where(inside, values, np.nan), grid)
     return AlbedoMap(
-        convention=CONVENTION,
         n_i=n_i,
         n_t=grid.varied["n_t"].ravel(),
         k_t=grid.varied["k_t"].ravel(),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Annotated, Any, TypeVar, dataclass_transform
 
 import numpy as np
@@ -33,6 +33,12 @@ def answer(cls: type[T]) -> type[T]:
     made = dataclass(frozen=True, kw_only=True)(cls)
     made.__pydantic_config__ = _CONFIG  # type: ignore[attr-defined]
     return made
+
+
+def filled(kind: type[T], source: object, **given: Any) -> T:
+    """Make an answer of what is given and, for its other fields, of the attributes of `source`."""
+    names = {field.name for field in fields(kind)} - given.keys()  # type: ignore[arg-type]
+    return kind(**{name: getattr(source, name) for name in names}, **given)
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, NamedTuple
+from typing import Any, Literal
 
 import numpy as np
 
@@ -24,6 +24,8 @@ MOST_STEPS = 20_001
 
 MOST_CELLS = 250_000
 """Cells of a map or of a table."""
+
+INDICES = ("n_i", "n_t", "k_t")
 
 SETS: Mapping[str, str] = {"n_t": "n_t", "eta": "n_t", "k_t": "k_t", "n_i": "n_i"}
 """The index of the interface that an axis sets; angles set none."""
@@ -57,16 +59,10 @@ class Axis:
         n_i: float = 1.0,
         prefix: str = "",
     ) -> Axis:
-        """Spread an axis between two ends.
+        """Spread an axis between two ends, the usual ones if None.
 
         Parameters
         ----------
-        name
-            What varies; eta = n_t / n_i.
-        minimum, maximum
-            First and last value; the usual ones if None.
-        steps, scale
-            How many values, with equal differences or equal ratios.
         n_i
             Of the incident medium, which bounds eta.
         prefix
@@ -74,10 +70,8 @@ class Axis:
 
         Raises
         ------
-        OutOfRange
-            If an end is out of the bounds of what varies.
-        NotAllowed
-            If the ends are not in order.
+        OutOfRange, NotAllowed
+            If an end is out of the bounds of what varies, or the ends are not in order.
         """
         unit = n_i if name == "eta" else 1.0
         low, high = _DECLARED[name].minimum / unit, _DECLARED[name].maximum / unit
@@ -95,14 +89,6 @@ class Axis:
         if first <= 0.0:
             raise NotAllowed(prefix + "minimum", first, "above 0 where scale=log")
         return cls(name=name, values=np.geomspace(first, last, steps))
-
-
-class Held(NamedTuple):
-    """The indices that are held; None for those that vary."""
-
-    n_i: float | None
-    n_t: float | None
-    k_t: float | None
 
 
 @dataclass(frozen=True)
@@ -150,10 +136,10 @@ def interfaces(fixed: Interface, varied: Mapping[str, Array]) -> Interface:
     return Interface(n_i, n_t, varied.get("k_t", fixed.k_t))
 
 
-def held(fixed: Interface, *varying: str) -> Held:
-    """Tell the indices that do not vary."""
+def held(fixed: Interface, *varying: str) -> dict[str, Any]:
+    """The indices under their names; None for those that vary."""
     varied = {SETS.get(name) for name in varying}
-    return Held(*(None if n in varied else float(getattr(fixed, n)) for n in Held._fields))
+    return {n: None if n in varied else float(getattr(fixed, n)) for n in INDICES}
 
 
 def refuse_many_cells(parameter: str, **steps: int) -> None:

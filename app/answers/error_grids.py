@@ -16,23 +16,29 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.metrics import FAST, POINT_METRICS, Metric, PointMetric, measure, point_error
 from app.optics.parameters import Array
-from app.optics.registry import Model
 
 MapMetric = Literal[Metric, PointMetric, "albedo_error"]
 
 
 @answer
-class ErrorSweep:
-    """Errors of one model along a line of interfaces; every list has the length of `values`."""
+class ErrorGrid:
+    """Errors of one model at many interfaces."""
 
     model: str
-    convention: str
-    measure: str
-    n_i: float
+    convention: str = CONVENTION
+    measure: str = MEASURE
+    n_i: float | None
+    """Null if it varies."""
     n_t: float | None
-    """Null if it is swept."""
+    """Null if it or eta varies."""
     k_t: float | None
-    """Null if it is swept."""
+    """Null if it varies."""
+
+
+@answer
+class ErrorSweep(ErrorGrid):
+    """Errors of one model along a line of interfaces; every list has the length of `values`."""
+
     over: str
     values: Values
     in_domain: list[bool]
@@ -52,18 +58,9 @@ class ErrorSweep:
 
 
 @answer
-class ErrorMap:
+class ErrorMap(ErrorGrid):
     """Errors of one model over a rectangle."""
 
-    model: str
-    convention: str
-    measure: str
-    n_i: float | None
-    """Null if it is an axis."""
-    n_t: float | None
-    """Null if it or eta is an axis."""
-    k_t: float | None
-    """Null if it is an axis."""
     metric: str
     x: Axis
     y: Axis
@@ -72,34 +69,24 @@ class ErrorMap:
 
     def table(self) -> Table:
         """Lay out a row each point."""
-        grid = Grid(Interface(), self.x, self.y)
-        columns = grid.columns() | {self.metric: self.values.ravel()}
-        return Table(columns, "fresnel_error_map.csv")
+        columns = Grid(Interface(), self.x, self.y).columns()
+        return Table(columns | {self.metric: self.values.ravel()}, "fresnel_error_map.csv")
 
 
 def error_sweep(chosen: Chosen, fixed: Interface, axis: Axis) -> ErrorSweep:
     """Measure a model along an axis."""
-    grid, model = Grid(fixed, axis), chosen.model
-    metrics = measure(model, grid.interface, chosen.of_one_color().arguments(grid.interface))
-    _, n_t, k_t = held(fixed, axis.name)
+    interface, model = Grid(fixed, axis).interface, chosen.model
+    metrics = measure(model, interface, chosen.of_one_color().arguments(interface))
+    media = np.broadcast_arrays(interface.n_i, interface.n_t, interface.k_t)
+    points = (Interface(*point) for point in zip(*(m.tolist() for m in media), strict=True))
     return ErrorSweep(
         model=model.id,
-        convention=CONVENTION,
-        measure=MEASURE,
-        n_i=float(fixed.n_i),
-        n_t=n_t,
-        k_t=k_t,
+        **held(fixed, axis.name),
         over=axis.name,
         values=axis.values,
-        in_domain=_inside(model, grid.interface),
+        in_domain=[model.reason_outside(point) is None for point in points],
         **figures(metrics),
     )
-
-
-def _inside(model: Model, interface: Interface) -> list[bool]:
-    media = np.broadcast_arrays(interface.n_i, interface.n_t, interface.k_t)
-    points = zip(*(m.tolist() for m in media), strict=True)
-    return [model.reason_outside(Interface(*point)) is None for point in points]
 
 
 def map_metric(x: str, y: str, metric: MapMetric | None) -> MapMetric:
@@ -124,22 +111,17 @@ def map_metric(x: str, y: str, metric: MapMetric | None) -> MapMetric:
 def error_map(chosen: Chosen, fixed: Interface, x: Axis, y: Axis, metric: MapMetric) -> ErrorMap:
     """Measure a model over a rectangle, by the metric that `map_metric` chose."""
     grid, model = Grid(fixed, x, y), chosen.model
-    interface = grid.interface
-    arguments = chosen.of_one_color().arguments(interface)
+    arguments = chosen.of_one_color().arguments(grid.interface)
     if "theta_i_deg" in grid.varied:
         incidence = Incidence.from_degrees(grid.varied["theta_i_deg"])
-        values = point_error(model, interface, incidence, arguments, cast("PointMetric", metric))
+        at_points = cast("PointMetric", metric)
+        values = point_error(model, grid.interface, incidence, arguments, at_points)
     else:
         name = metric_of(cast("FigureName", metric))
-        values = measure(model, interface, arguments, FAST, [name])[name]
-    n_i, n_t, k_t = held(fixed, x.name, y.name)
+        values = measure(model, grid.interface, arguments, FAST, [name])[name]
     return ErrorMap(
         model=model.id,
-        convention=CONVENTION,
-        measure=MEASURE,
-        n_i=n_i,
-        n_t=n_t,
-        k_t=k_t,
+        **held(fixed, x.name, y.name),
         metric=metric,
         x=x,
         y=y,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Annotated, Any, Literal, TypeVar
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import Field
@@ -17,8 +17,6 @@ from app.optics.interface import Interface
 from app.optics.metrics import DESCRIPTIONS as SAYS
 from app.optics.metrics import METRICS, Metric, measure, point_error
 from app.optics.parameters import Array
-
-T = TypeVar("T")
 
 MEASURE = (
     "error = R of the model - R of exact; rms over the solid angle of the hemisphere; "
@@ -88,10 +86,10 @@ class Errors:
     """Models against exact, the one of smallest rms first."""
 
     interface: InterfaceFacts
-    convention: str
-    reference: str
+    convention: str = CONVENTION
+    reference: str = "exact"
     """The model that the errors are measured against."""
-    measure: str
+    measure: str = MEASURE
     """How the metrics are defined."""
     theta_i_deg: Values
     errors: list[ModelError | ModelErrors]
@@ -141,9 +139,6 @@ def errors(
     rows.sort(key=lambda row: (math.inf, "") if row.rms is None else (row.rms, row.model))
     return Errors(
         interface=InterfaceFacts.of(interface),
-        convention=CONVENTION,
-        reference="exact",
-        measure=MEASURE,
         theta_i_deg=incidence.theta_i_deg,
         errors=rows,
     )
@@ -183,7 +178,7 @@ def _model_errors(
         )
 
 
-def figures(metrics: Mapping[Metric, T]) -> dict[str, T]:
+def figures(metrics: Mapping[Metric, Any]) -> dict[str, Any]:
     """Metrics under their names, the albedo's error under both of its names."""
-    named: dict[str, T] = {name: metrics[name] for name in metrics}
+    named: dict[str, Any] = {name: metrics[name] for name in metrics}
     return named | {"albedo_error": metrics["cosine_weighted_mean"]}

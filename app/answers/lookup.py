@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from app.answers.answer import SentAs, Table, answer
-from app.answers.axes import Axis, Held, held, interfaces, refuse_many_cells
+from app.answers.axes import INDICES, Axis, held, interfaces, refuse_many_cells
 from app.answers.curves import Chosen
 from app.answers.interface import CONVENTION, InterfaceFacts
 from app.materials.appearance import color_curve
@@ -45,14 +45,9 @@ class TableAxis:
     size: int
 
     @property
-    def ends(self) -> tuple[float, float]:
-        """Coordinates of the first and the last texel."""
-        return self.minimum, self.maximum
-
-    @property
     def values(self) -> Array:
-        """Coordinates of all texels."""
-        return np.linspace(*self.ends, self.size)
+        """Coordinates of the texels."""
+        return np.linspace(self.minimum, self.maximum, self.size)
 
 
 @answer
@@ -77,12 +72,12 @@ class LookupTable:
     n_i: float
     n_t: float | None
     k_t: float | None
-    convention: str
+    convention: str = CONVENTION
     axes: list[TableAxis]
     """The innermost, along a row, first."""
     channels: list[str]
     depth: Depth
-    reading: str
+    reading: str = READING
     error: InterpolationError
     texels: Annotated[Array, SentAs(list[Any])]
     """Rows of the last axis; a list where channels are three."""
@@ -98,7 +93,7 @@ class LookupTable:
 
     def title(self) -> str:
         """What is tabulated, in words."""
-        fixed = {name: getattr(self, name) for name in Held._fields}
+        fixed = {name: getattr(self, name) for name in INDICES}
         media = ", ".join(f"{name} = {n:g}" for name, n in fixed.items() if n is not None)
         return f"{self.quantity} of {self.model} over {','.join(self._names)}, {media}"
 
@@ -131,22 +126,16 @@ class LookupErrors:
 
 @dataclass(frozen=True)
 class Tabulated:
-    """A function over one or two coordinates that a table is made of.
+    """A function that a table is made of.
 
     Attributes
     ----------
-    model
-        What is evaluated.
-    quantity
-        What it gives.
     fixed
         The interface, or that whose other indices hold.
     axes
-        Ends and sizes; the innermost first.
+        One or two; the innermost first.
     function
         Coordinates of any shape, an argument each axis, to values with channels as a last axis.
-    warnings
-        What to know of the values.
     """
 
     model: str
@@ -172,10 +161,10 @@ class Tabulated:
 
     def error(self, texels: Array) -> TableError:
         """Measure the largest error between quantized texels."""
-        if len(self.axes) == 1:
-            return line_error(texels[0], self.axes[0].ends, self.function)
-        x, y = self.axes
-        return sheet_error(texels, (x.ends, y.ends), self.function)
+        along, *across = ((axis.minimum, axis.maximum) for axis in self.axes)
+        if across:
+            return sheet_error(texels, (along, across[0]), self.function)
+        return line_error(texels[0], along, self.function)
 
 
 def reflectance_over_mu(chosen: Chosen, interface: Interface, size: int) -> Tabulated:
@@ -201,13 +190,7 @@ def color_over_mu(spectrum: Spectrum, interface: Interface, size: int) -> Tabula
 
 
 def albedo_over_index(chosen: Chosen, fixed: Interface, axis: Axis) -> Tabulated:
-    """Tabulate the albedo of exact over an index.
-
-    Raises
-    ------
-    NotAllowed
-        If another model is chosen.
-    """
+    """Tabulate the albedo over an index; of no model but exact."""
     if chosen.model.id != "exact":
         raise NotAllowed("model", chosen.model.id, "exact where the table is one of albedos")
 
@@ -221,13 +204,7 @@ def albedo_over_index(chosen: Chosen, fixed: Interface, axis: Axis) -> Tabulated
 def reflectance_over_mu_and_index(
     chosen: Chosen, fixed: Interface, axis: Axis, size: int
 ) -> Tabulated:
-    """Tabulate R over mu, `size` texels, and an index.
-
-    Raises
-    ------
-    NotAllowed
-        If there are too many texels, or a parameter is one for R, G and B.
-    """
+    """Tabulate R over mu, `size` texels, and an index; of one color."""
     refuse_many_cells("rows", size=size, rows=axis.values.size)
     model, given = chosen.model, chosen.of_one_color().given
 
@@ -254,21 +231,15 @@ def lookup_table(tabulated: Tabulated, depth: Depth) -> LookupTable:
     # Without the axes that only pictures need.
     plain = texels[0] if len(axes) == 1 else texels
     plain = plain[..., 0] if len(channels) == 1 else plain
-    _, n_t, k_t = held(tabulated.fixed, *names)
-    whole = names == ["mu"]
     return LookupTable(
         model=tabulated.model,
         quantity=tabulated.quantity,
         warnings=[*tabulated.warnings],
-        interface=InterfaceFacts.of(tabulated.fixed) if whole else None,
-        n_i=float(tabulated.fixed.n_i),
-        n_t=n_t,
-        k_t=k_t,
-        convention=CONVENTION,
+        interface=InterfaceFacts.of(tabulated.fixed) if names == ["mu"] else None,
+        **held(tabulated.fixed, *names),
         axes=[*axes],
         channels=channels,
         depth=depth,
-        reading=READING,
         error=InterpolationError(max_abs=worst.max_abs, at=dict(zip(names, worst.at, strict=True))),
         texels=np.ascontiguousarray(plain),
     )
@@ -288,13 +259,10 @@ def lookup_errors(of_size: Callable[[int], Tabulated]) -> LookupErrors:
             else:
                 errors.append(tabulated.error(texels).max_abs)
     (axis,) = tabulated.axes
-    _, n_t, k_t = held(tabulated.fixed, axis.name)
     return LookupErrors(
         model=tabulated.model,
         quantity=tabulated.quantity,
-        n_i=float(tabulated.fixed.n_i),
-        n_t=n_t,
-        k_t=k_t,
+        **held(tabulated.fixed, axis.name),
         over=axis.name,
         sizes=[*SIZES],
         max_abs=found,

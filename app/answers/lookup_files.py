@@ -52,17 +52,7 @@ def npy_bytes(texels: Array, depth: Depth) -> bytes:
 
 
 def png_bytes(texels: Array, depth: Depth, said: Mapping[str, str]) -> bytes:
-    """Write gray or RGB pixels, marked as linear, with texts.
-
-    Parameters
-    ----------
-    texels
-        Quantized, shape (rows, columns, channels).
-    depth
-        'unorm8' or 'unorm16'.
-    said
-        Keywords and texts of tEXt chunks, Latin-1.
-    """
+    """Write gray or RGB pixels, marked as linear, with tEXt chunks in Latin-1."""
     rows, columns, channels = texels.shape
     bits = 8 if depth == "unorm8" else 16
     pixels = stored(texels, depth).astype(">u2" if bits == 16 else "u1")
@@ -78,17 +68,7 @@ def png_bytes(texels: Array, depth: Depth, said: Mapping[str, str]) -> bytes:
 
 
 def exr_bytes(texels: Array, depth: Depth, said: Mapping[str, str]) -> bytes:
-    """Write a luminance or RGB image of halves or floats, losslessly compressed, with attributes.
-
-    Parameters
-    ----------
-    texels
-        Quantized, shape (rows, columns, channels).
-    depth
-        'half' or 'float'.
-    said
-        Names and texts of string attributes.
-    """
+    """Write a luminance or RGB image of halves or floats, compressed without loss, with attributes."""
     pixels = stored(texels, depth)
     channels = {"Y": pixels[..., 0]} if texels.shape[-1] == 1 else {"RGB": pixels}
     header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage, **said}

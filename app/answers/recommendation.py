@@ -1,4 +1,4 @@
-"""Which models are good enough at an interface, cheapest first."""
+"""Which models stay within an error at an interface, cheapest first, and why the others do not."""
 
 from __future__ import annotations
 
@@ -6,13 +6,26 @@ from collections.abc import Iterable
 from dataclasses import asdict
 from typing import Any
 
-from app.answers.answer import Table, answer, number_or_none
+import numpy as np
+
+from app.answers.answer import Table, answer, filled, number_or_none
 from app.answers.errors import FIGURES, MEASURE, FigureName, Figures, figures, metric_of
 from app.answers.interface import CONVENTION, InterfaceFacts
 from app.optics.interface import Interface
-from app.optics.recommendation import WEIGHTS, recommend
-from app.optics.recommendation import Candidate as Judged
-from app.optics.registry import Model, ModelKind
+from app.optics.metrics import DESCRIPTIONS, measure
+from app.optics.registry import Cost, Model, ModelKind
+
+WEIGHTS = {"add": 1, "mul": 1, "div": 5, "sqrt": 4, "pow": 9, "trig": 8, "lookup": 16}
+"""Issue slots of an operation on a GPU whose special functions run at a quarter of the rate.
+
+A division is a reciprocal (4) and a multiplication, a power log2, a multiplication and exp2. A
+lookup's weight stands for the filtered fetch of a texel, whose latency is another matter.
+"""
+
+
+def weighted(cost: Cost) -> int:
+    """One number to sort by: the operations, each with its weight."""
+    return sum(WEIGHTS[name] * count for name, count in asdict(cost).items())
 
 
 @answer
@@ -32,29 +45,14 @@ class Candidate:
     reason: str | None
     """Why it is refused; null where it is not."""
 
-    @classmethod
-    def of(cls, judged: Judged, interface: Interface) -> Candidate:
-        """Describe what was found of a model."""
-        model, found = judged.model, judged.figures
-        return cls(
-            model=model.id,
-            title=model.title,
-            kind=model.kind,
-            cost=asdict(model.cost),
-            weighted_cost=judged.cost,
-            parameters={n: number_or_none(v) for n, v in model.arguments(interface).items()},
-            figures=None if found is None else Figures(**figures(found)),
-            reason=judged.reason,
-        )
-
 
 @answer
 class Recommendation:
     """Models within an error, cheapest first, and all others with the reason."""
 
     interface: InterfaceFacts
-    convention: str
-    measure: str
+    convention: str = CONVENTION
+    measure: str = MEASURE
     metric: str
     max_error: float
     weights: dict[str, int]
@@ -76,20 +74,69 @@ class Recommendation:
 
 
 def recommendation(
-    models: Iterable[Model], interface: Interface, max_error: float, metric: FigureName
+    models: Iterable[Model],
+    interface: Interface,
+    max_error: float,
+    metric: FigureName = "max_abs",
 ) -> Recommendation:
-    """Sort models into those that stay within an error and those that do not."""
-    accepted, refused = (
-        [Candidate.of(judged, interface) for judged in some]
-        for some in recommend(models, interface, max_error, metric_of(metric))
-    )
+    """Sort models into those that do and those that do not.
+
+    Parameters
+    ----------
+    models
+        The candidates.
+    interface
+        One boundary.
+    max_error
+        The largest modulus of the metric that is acceptable.
+    metric
+        An error; not an angle.
+
+    Returns
+    -------
+    Recommendation
+        Accepted, cheapest first and the more accurate first among equals; refused, those of the
+        smallest excess first and those outside their domain last.
+    """
+    candidates = [_judged(model, interface, max_error, metric) for model in models]
+
+    def size(candidate: Candidate) -> tuple[float, str]:
+        """Rounded, so that equal models stand in the order of their ids."""
+        value = abs(getattr(candidate.figures, metric, np.inf))
+        return round(value, 12), candidate.model
+
+    accepted = [candidate for candidate in candidates if candidate.reason is None]
+    refused = [candidate for candidate in candidates if candidate.reason is not None]
     return Recommendation(
         interface=InterfaceFacts.of(interface),
-        convention=CONVENTION,
-        measure=MEASURE,
         metric=metric,
         max_error=max_error,
         weights=WEIGHTS,
-        models=accepted,
-        refused=refused,
+        models=sorted(accepted, key=lambda c: (c.weighted_cost, *size(c))),
+        refused=sorted(refused, key=size),
+    )
+
+
+def _judged(model: Model, interface: Interface, max_error: float, metric: FigureName) -> Candidate:
+    reason, found = model.reason_outside(interface), None
+    if reason is None:
+        measured = measure(model, interface).items()
+        found = Figures(**figures({name: number_or_none(value) for name, value in measured}))
+        value = getattr(found, metric)
+        if value is None:
+            reason, found = "undefined over part of the hemisphere here", None
+        elif abs(value) > max_error:
+            at = getattr(found, f"{metric}_at_deg", None)
+            where = "" if at is None else f" at {at:.1f} degrees"
+            name = DESCRIPTIONS[metric_of(metric)].partition(":")[0].rstrip(".")
+            reason = f"{name} {value:.3g}{where}, more than {max_error:g}"
+    return filled(
+        Candidate,
+        model,
+        model=model.id,
+        cost=asdict(model.cost),
+        weighted_cost=weighted(model.cost),
+        parameters={n: number_or_none(v) for n, v in model.arguments(interface).items()},
+        figures=found,
+        reason=reason,
     )
