@@ -96,11 +96,11 @@ def tabulated(query: TabulatedQuery, size: int) -> Tabulated:
         If parameters contradict one another.
     """
     chosen, over = query.chosen(), query.over
-    unused = {"minimum", "maximum"} if over == "mu" else set()
-    if "mu," not in over:
-        unused.add("rows")
-    for name in unused & query.model_fields_set:
-        raise NotAllowed(name, getattr(query, name), f"not with over = {over}")
+    unused = ["minimum", "maximum"] if over == "mu" else []
+    unused += [] if "mu," in over else ["rows"]
+    for name in unused:
+        if name in query.model_fields_set:
+            raise NotAllowed(name, getattr(query, name), f"not with over = {over}")
     if isinstance(query, LutQuery) and query.channels == "3":
         return _spectral(query)
     if over == "mu":
