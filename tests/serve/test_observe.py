@@ -6,7 +6,6 @@ import json
 import os
 import re
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -19,7 +18,6 @@ from app.server.observe.access_log import AccessLog
 from app.server.observe.metrics import Metrics
 from app.server.observe.middleware import Observed
 from tests.api.raw import Answer, send
-from tests.serve.command import serving, wait_for
 
 API = b"/api/v1"
 MADE = re.compile(r"[0-9a-f]{16}-[0-9]+")
@@ -214,24 +212,3 @@ class TestAccessLog:
     def test_a_reader_that_is_gone_fails_no_request(self, app: FastAPI, pipe: Pipe) -> None:
         os.close(pipe.reading)
         assert send(Observed(app, Metrics(), pipe.log), API + b"/models").status == 200
-
-
-def folders_in_memory() -> set[Path]:
-    return set(Path("/dev/shm").glob("fresnel-explorer-*"))  # noqa: S108
-
-
-def test_workers_count_and_log_together_and_leave_nothing_behind(tmp_path: Path) -> None:
-    before = folders_in_memory()
-    with serving(tmp_path, "--workers", "2") as served:
-        for _ in range(40):
-            assert served.ask("/api/v1/parameters").status == 200
-        told = '{method="GET",route="/api/v1/parameters",status="200"} 40.0'
-        for _ in range(6):  # whichever worker is asked; the other may be at the end of a request
-            wait_for(lambda: f"http_requests_total{told}" in served.ask("/metrics").body.decode())
-            wait_for(lambda: "in_flight 1.0" in served.ask("/metrics").body.decode())
-
-        assert served.ask("/api/v1/models", X_Request_ID="found-again").status == 200
-        wait_for(lambda: any(line["request_id"] == "found-again" for line in served.logged()))
-        (line,) = (line for line in served.logged() if line["request_id"] == "found-again")
-        assert (line["method"], line["route"], line["status"]) == ("GET", "/api/v1/models", 200)
-    assert folders_in_memory() <= before

@@ -2,57 +2,75 @@
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import signal
 import socket
-import threading
 import time
+from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 
 from tests.serve.command import API, PATIENCE_S, Answer, Load, Served, answers, serving, wait_for
 
-SLOW = f"{API}/errors/map?model=schlick&x=theta_i_deg&y=n_t&x_steps=500&y_steps=500"
-"""A quarter of a million cells: long enough to be in flight when the signal comes."""
+SLOW = f"{API}/errors/map?model=schlick&x=theta_i_deg&y=n_t&x_steps=500&y_steps={{}}"
+"""Up to a quarter of a million cells: long enough to be in flight when the signal comes."""
 
 
-def readiness(served: Served) -> int:
-    return served.ask(f"{API}/health/ready").status
+def in_flight(served: Served) -> int:
+    """Requests being answered, the one that asks for it included."""
+    (count,) = re.findall(r"^http_requests_in_flight (\d+)", scraped(served), re.MULTILINE)
+    return int(count)
 
 
-@pytest.mark.parametrize("workers", ["1", "2"])
-def test_what_is_in_flight_is_answered(tmp_path: Path, workers: str) -> None:
-    with serving(tmp_path, "--workers", workers) as served:
-        whole = served.ask(SLOW)
-        assert whole.status == 200
-        got: list[Answer] = []
-        threads = [
-            threading.Thread(target=lambda: got.append(served.ask(SLOW, Cache_Control="no-cache")))
-            for _ in range(6)
+def scraped(served: Served) -> str:
+    return served.ask("/metrics").body.decode()
+
+
+def stopped_while_asked(served: Served) -> None:
+    """Stop a server while it computes, and check that it answers all the same."""
+    with ThreadPoolExecutor(6) as clients:
+        asked: list[Future[Answer]] = [
+            clients.submit(served.ask, SLOW.format(steps)) for steps in range(495, 501)
         ]
-        for thread in threads:
-            thread.start()
-        time.sleep(0.3)  # all are sent, the last wait for the first
+        wait_for(lambda: in_flight(served) > 3)
         served.process.send_signal(signal.SIGTERM)
-        for thread in threads:
-            thread.join(PATIENCE_S)
-        served.process.wait(PATIENCE_S)
-        assert [(answer.status, answer.body) for answer in got] == [(200, whole.body)] * 6
-    assert served.process.returncode in (0, -signal.SIGTERM)
+        for steps, answer in zip(range(495, 501), (one.result() for one in asked), strict=True):
+            assert answer.status == 200
+            assert len(json.loads(answer.body)["y"]["values"]) == steps
+    assert served.process.wait(PATIENCE_S) in (0, -signal.SIGTERM)
 
 
-@pytest.mark.parametrize("workers", ["1", "2"])
-def test_no_request_is_lost_under_load_when_a_drain_is_set(tmp_path: Path, workers: str) -> None:
+def test_what_is_in_flight_is_answered(tmp_path: Path) -> None:
+    with serving(tmp_path) as served:
+        stopped_while_asked(served)
+
+
+@pytest.mark.parametrize(("workers", "drain_s"), [("1", "60"), ("2", "3")])
+def test_no_request_is_lost_under_load_when_a_drain_is_set(
+    tmp_path: Path, workers: str, drain_s: str
+) -> None:
     targets = [f"{API}/curves?n_t=1.{i}" for i in range(100, 999)] + ["/", f"{API}/models"]
-    with serving(tmp_path, "--workers", workers, FRESNEL_DRAIN_S="1.5") as served:
+    with serving(tmp_path, "--workers", workers, FRESNEL_DRAIN_S=drain_s) as served:
+        kept = served.connect()
+        kept.request("GET", f"{API}/health")
+        first = kept.getresponse()
+        first.read()
+        assert first.headers["Connection"] is None
         with Load(served, targets) as load:
-            wait_for(lambda: len(load.statuses) > 200)
+            load.wait_for(200)
             served.process.send_signal(signal.SIGTERM)
-            wait_for(lambda: readiness(served) == 503, seconds=1.4)
+            wait_for(lambda: served.ask(f"{API}/health/ready").status == 503)
+            kept.request("GET", f"{API}/health/live")
+            last = kept.getresponse()
+            assert (last.status, last.headers["Connection"]) == (200, "close")
+            kept.close()
             # A load balancer has seen it; until it acts on it, requests still come and are answered.
-            before = len(load.statuses)
-            wait_for(lambda: len(load.statuses) > before + 50, seconds=1.4)
+            load.wait_for(len(load.statuses) + 50)
+        if workers == "1":  # who does not want to wait says so again
+            served.process.send_signal(signal.SIGTERM)
         served.process.wait(PATIENCE_S)
         assert load.failures == []
         assert set(load.statuses) == {200}
@@ -60,45 +78,40 @@ def test_no_request_is_lost_under_load_when_a_drain_is_set(tmp_path: Path, worke
     assert {line["route"] for line in refused} == {f"{API}/health/ready"}
 
 
-def test_while_draining_answers_close_and_liveness_stays(tmp_path: Path) -> None:
-    with serving(tmp_path, FRESNEL_DRAIN_S="60") as served:
-        kept = served.connect()
-        kept.request("GET", f"{API}/health")
-        first = kept.getresponse()
-        first.read()
-        assert first.headers["Connection"] is None
-        served.process.send_signal(signal.SIGTERM)
-        wait_for(lambda: readiness(served) == 503)
-        kept.request("GET", f"{API}/health/live")
-        last = kept.getresponse()
-        assert (last.status, last.headers["Connection"]) == (200, "close")
-        kept.close()
-        # Whoever does not want to wait says so again.
+def test_a_client_that_reads_nothing_does_not_hold_the_server_for_ever(tmp_path: Path) -> None:
+    with (
+        serving(tmp_path, FRESNEL_GRACE_S="1") as served,
+        socket.create_connection(served.address) as stalled,
+    ):
+        stalled.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        stalled.sendall(f"GET {SLOW.format(500)} HTTP/1.1\r\nHost: x\r\n\r\n".encode())
+        stalled.recv(1)  # the answer has begun
+        began = time.monotonic()
         served.process.send_signal(signal.SIGTERM)
         served.process.wait(PATIENCE_S)
+        assert time.monotonic() - began < 20.0
 
 
-def test_a_client_that_reads_nothing_does_not_hold_the_server_for_ever(tmp_path: Path) -> None:
-    with serving(tmp_path, FRESNEL_GRACE_S="1") as served:
-        assert served.host is not None
-        with socket.create_connection((served.host, served.port or 0)) as stalled:
-            stalled.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
-            stalled.sendall(f"GET {SLOW} HTTP/1.1\r\nHost: x\r\n\r\n".encode())
-            time.sleep(1.0)
-            began = time.monotonic()
-            served.process.send_signal(signal.SIGTERM)
-            served.process.wait(PATIENCE_S)
-            assert time.monotonic() - began < 20.0
+def folders_in_memory() -> set[Path]:
+    return set(Path("/dev/shm").glob("fresnel-explorer-*"))  # noqa: S108
 
 
-def test_a_killed_worker_is_replaced_and_its_counts_stay(tmp_path: Path) -> None:
+def test_workers_count_and_log_together_and_one_that_is_killed_is_replaced(tmp_path: Path) -> None:
+    before = folders_in_memory()
     with serving(tmp_path, "--workers", "2") as served:
         for _ in range(50):
             assert served.ask(f"{API}/models/exact").status == 200
         told = '{method="GET",route="/api/v1/models/{model_id}",status="200"} 50.0'
-        wait_for(lambda: f"http_requests_total{told}" in served.ask("/metrics").body.decode())
+        for _ in range(6):  # whichever worker is asked; the other may be at the end of a request
+            wait_for(lambda: f"http_requests_total{told}" in scraped(served))
+            wait_for(lambda: in_flight(served) == 1)
 
-        victim = served.logged()[-1]["pid"]
+        assert served.ask(f"{API}/models", X_Request_ID="found-again").status == 200
+        wait_for(lambda: any(line["request_id"] == "found-again" for line in served.logged()))
+        (line,) = (line for line in served.logged() if line["request_id"] == "found-again")
+        assert (line["method"], line["route"], line["status"]) == ("GET", f"{API}/models", 200)
+
+        victim = line["pid"]
         assert isinstance(victim, int)
         assert victim != served.process.pid
         os.kill(victim, signal.SIGKILL)
@@ -108,5 +121,7 @@ def test_a_killed_worker_is_replaced_and_its_counts_stay(tmp_path: Path) -> None
             return len({line["pid"] for line in served.logged()} - {victim}) == 2
 
         wait_for(two_others_answer)
-        assert f"http_requests_total{told}" in served.ask("/metrics").body.decode()
-        wait_for(lambda: "in_flight 1.0" in served.ask("/metrics").body.decode())
+        assert f"http_requests_total{told}" in scraped(served)
+        wait_for(lambda: in_flight(served) == 1)
+        stopped_while_asked(served)
+    assert folders_in_memory() <= before
