@@ -6,7 +6,7 @@ import http.client
 import statistics
 import time
 
-from app.materials import load_catalog
+from app.materials.catalog import load_catalog
 from benchmarks.load import OURS, served
 
 ROUNDS = 5

@@ -9,7 +9,7 @@ from typing_extensions import TypedDict
 
 from app.answers.answer import Table, answer
 from app.answers.interface import CONVENTION, ResolvedPreset
-from app.materials import Resolved
+from app.materials.media import Resolved
 from app.optics.conversions import Conversion, Form, Status, convert, know
 
 CHANNELS = ("red", "green", "blue")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from app.answers.answer import answer, number_or_none
-from app.materials import Resolved
+from app.materials.media import Resolved
 from app.optics.angles import LANDMARKS
 from app.optics.interface import Interface, Kind
 from app.optics.specular import F82

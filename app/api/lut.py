@@ -27,7 +27,7 @@ from app.api.params import InterfaceQuery
 from app.http.query import Count, LongQuery, Number
 from app.http.route import QueryRoute
 from app.http.writing import shown_as, write
-from app.materials import default_catalog
+from app.materials.media import default_catalog
 from app.optics.errors import NotAllowed
 from app.optics.lookup import Depth
 from app.optics.registry import Registry

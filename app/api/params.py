@@ -9,9 +9,9 @@ from typing import Any, Self
 from pydantic import Field, PrivateAttr, model_validator
 
 from app.answers.interface import PresetInterface
-from app.http.problems import BadParameters, ParameterError, given
+from app.http.problems import BadParameters, ParameterError, parameter_error
 from app.http.query import Count, Number, QueryModel
-from app.materials import (
+from app.materials.media import (
     USELESS_WAVELENGTH,
     Resolved,
     given_beside,
@@ -128,10 +128,8 @@ def reported_as(**names: str) -> Iterator[None]:
     try:
         yield
     except OpticsError as error:
-        name = names.get(error.parameter, error.parameter)
-        raise BadParameters(
-            {"parameter": name, "value": given(error), "message": error.allowed}
-        ) from None
+        error.parameter = names.get(error.parameter, error.parameter)
+        raise BadParameters(parameter_error(error)) from None
 
 
 def refuse_beside(query: QueryModel, preset: str, *numbers: str) -> None:
@@ -162,15 +160,20 @@ class AngleQuery(QueryModel):
     theta_i_deg: Number = number(THETA_I_DEG, examples=[64.0])
 
 
-class SamplesQuery(QueryModel):
-    """Which angles a curve is sampled at."""
-
-    samples: Count = Field(
-        181,
+def equal_samples(default: int) -> Any:
+    """Pydantic field of a number of angles."""
+    return Field(
+        default,
         ge=2,
         le=MAX_SAMPLES,
         description="Equally spaced angles from 0 to 90 degrees, both ends included.",
     )
+
+
+class SamplesQuery(QueryModel):
+    """Which angles a curve is sampled at."""
+
+    samples: Count = equal_samples(181)
     landmarks: bool = Field(
         False,
         description="Add Brewster's, the critical, the pseudo-Brewster and the principal angle to "

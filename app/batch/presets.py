@@ -10,17 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.batch.rows import Fault, Hints, Index, Names, Rows, parted
-from app.materials import (
+from app.materials.errors import UnknownMaterial
+from app.materials.media import (
     NEGLIGIBLE_K,
     USELESS_WAVELENGTH,
-    Preset,
-    UnknownMaterial,
     constants_at,
     default_catalog,
     given_beside,
     transparent,
     within,
 )
+from app.materials.schema import Preset
 from app.optics.errors import OpticsError
 from app.optics.parameters import K_T, N_I, N_T, WAVELENGTH_NM, Array
 

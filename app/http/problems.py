@@ -165,16 +165,17 @@ def given(error: OpticsError) -> str | None:
     return None if error.value is None else str(error.value).removesuffix(".0")
 
 
-def _optics_error(error: OpticsError) -> ParameterError:
+def parameter_error(error: OpticsError) -> ParameterError:
+    """What is wrong with the parameter that the core refused."""
     return {"parameter": error.parameter, "value": given(error), "message": error.allowed}
 
 
 def _on_optics(request: Request, error: OpticsError) -> Response:
-    return _refused(request, 422, [_optics_error(error)])
+    return _refused(request, 422, [parameter_error(error)])
 
 
 def _on_missing(request: Request, error: MissingResource) -> Response:
-    return _refused(request, 404, [_optics_error(error.cause)])
+    return _refused(request, 404, [parameter_error(error.cause)])
 
 
 def _on_overload(request: Request, error: Overloaded) -> Response:

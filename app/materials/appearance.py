@@ -171,46 +171,26 @@ def appearance(
     )
 
 
-def rgb_constants(
-    spectrum: Spectrum,
-    illuminant: Illuminant = "D65",
-    observer: Observer = "cie1931_2deg",
-    adaptation: Adaptation = "bradford",
-) -> tuple[Array, Array]:
-    """n and k averaged to three channels, as renderers do that have no spectra.
-
-    Each curve is weighted as if it were a reflectance, so constant curves keep their value. An
-    average of constants is not the constant of an average: compare with `color_curve`, which is
-    right. Channels below 0, which no index can be, are cut to 1e-3 (n) and 0 (k).
-
-    Returns
-    -------
-    n, k
-        Arrays of shape (3,).
-    """
-    seen = spectrum.visible
-    n = linear_srgb(seen.n, illuminant, observer, adaptation)
-    k = linear_srgb(seen.k, illuminant, observer, adaptation)
-    return np.maximum(n, 1e-3), np.maximum(k, 0.0)
-
-
 def averaged_interface(
     spectrum: Spectrum, n_i: ArrayLike = 1.0, viewing: Viewing = DAYLIGHT
 ) -> Interface:
-    """Boundary whose constants are averaged over each channel, of shape (3, 1).
+    """Boundary of constants averaged to three channels, as renderers do that have no spectra.
 
-    Parameters
-    ----------
-    spectrum, n_i
-        As in `color_curve`.
-    viewing
-        How the channels are made.
+    Each curve is weighted as if it were a reflectance, so constant curves keep their value. An
+    average of constants is not the constant of an average: compare with `color_curve`, which is
+    right. Channels that no index can be, as those below 0, are cut to the core's bounds.
+
+    Returns
+    -------
+    Interface
+        Of shape (3, 1).
     """
-    front = np.full(3, n_i) if np.ndim(n_i) == 0 else linear_srgb(n_i, *viewing)
-    n, k = rgb_constants(spectrum, *viewing)
+    seen = spectrum.visible
+    media = ((n_i, N_I), (seen.n, N_T), (seen.k, K_T))
+    averaged = (
+        (np.full(3, values) if np.ndim(values) == 0 else linear_srgb(values, *viewing), bounds)
+        for values, bounds in media
+    )
     return Interface(
-        *(
-            np.clip(values, bounds.minimum, bounds.maximum)[:, np.newaxis]
-            for values, bounds in ((front, N_I), (n, N_T), (k, K_T))
-        )
+        *(np.clip(c, bounds.minimum, bounds.maximum)[:, np.newaxis] for c, bounds in averaged)
     )

@@ -28,11 +28,11 @@ class Constants:
 
 @dataclass(frozen=True, slots=True)
 class Spread:
-    """How far the measurements of one material lie apart, as luminance of F0 under D65."""
+    """How far the measurements lie apart: luminous reflectance at normal incidence, D65."""
 
     minimum: float
     maximum: float
-    presets: tuple[Preset, ...]
+    ids: tuple[str, ...]
 
 
 class Catalog:
@@ -157,7 +157,7 @@ class Catalog:
         """Return how far the measurements of a material lie apart, itself included."""
         family = (self.get(id), *self.rivals(id))
         bright = [preset.color.luminance for preset in family]
-        return Spread(min(bright), max(bright), family)
+        return Spread(min(bright), max(bright), tuple(preset.id for preset in family))
 
 
 def load_catalog(path: Path | None = None) -> Catalog:

@@ -80,7 +80,15 @@ def resolve_material(name: str, wavelength_nm: float | None) -> Resolved:
         If the preset is not known at the wavelength, or is known to be beyond n_t's or k_t's bounds.
     """
     preset, constants = _constants(name, wavelength_nm)
-    return Resolved(preset, constants, tuple(_warnings_as_material(preset, constants)))
+    warnings = _of_the_middle(preset)
+    if constants.k is None:
+        warnings.append(UNKNOWN_K)
+    elif 0.0 < constants.k < NEGLIGIBLE_K:
+        warnings.append(
+            f"k = {constants.k:.3g} is below {NEGLIGIBLE_K:g} and counts as 0; "
+            f"give n_t = {float(constants.n)!r} and k_t = {float(constants.k)!r} to keep it"
+        )
+    return Resolved(preset, constants, tuple(warnings))
 
 
 def resolve_incident(name: str, wavelength_nm: float | None) -> Resolved:
@@ -94,39 +102,8 @@ def resolve_incident(name: str, wavelength_nm: float | None) -> Resolved:
         If the preset is not known at the wavelength, is beyond n_i's bounds or absorbs there.
     """
     preset, constants = _constants(name, wavelength_nm)
-    return Resolved(preset, constants, tuple(_warnings_as_incident(preset, constants)))
-
-
-def _warnings_as_material(preset: Preset, constants: Constants) -> list[str]:
-    """Say what counts otherwise than it was measured in the second medium.
-
-    Raises
-    ------
-    OutOfRange
-        If n_t or k_t may not be what it is.
-    """
-    _within_bounds(preset, constants)
-    warnings = _of_the_middle(preset)
-    if constants.k is None:
-        warnings.append(UNKNOWN_K)
-    elif 0.0 < constants.k < NEGLIGIBLE_K:
-        warnings.append(
-            f"k = {constants.k:.3g} is below {NEGLIGIBLE_K:g} and counts as 0; "
-            f"give n_t = {float(constants.n)!r} and k_t = {float(constants.k)!r} to keep it"
-        )
-    return warnings
-
-
-def _warnings_as_incident(preset: Preset, constants: Constants) -> list[str]:
-    """Say what counts otherwise than it was measured in the medium in front.
-
-    Raises
-    ------
-    OutOfRange, NotAllowed
-        If n_i may not be what it is, or if it absorbs.
-    """
-    _within_bounds(preset, constants)
-    return _of_the_middle(preset) + transparency_warnings(preset, constants.k)
+    warnings = _of_the_middle(preset) + transparency_warnings(preset, constants.k)
+    return Resolved(preset, constants, tuple(warnings))
 
 
 def transparency_warnings(preset: Preset, k: float | None) -> list[str]:
@@ -150,14 +127,12 @@ def _constants(name: str, wavelength_nm: float | None) -> tuple[Preset, Constant
     if preset.category == "vacuum":  # 1 by definition, whatever the wavelength of the table
         at = preset.wavelength_nm if wavelength_nm is None else wavelength_nm
         return preset, Constants(preset.n, 0.0, at)
-    return preset, catalog.constants(preset.id, wavelength_nm)
-
-
-def _within_bounds(preset: Preset, constants: Constants) -> None:
+    constants = catalog.constants(preset.id, wavelength_nm)
     for quantity, value, bounds in (("n", constants.n, N_T), ("k", constants.k, K_T)):
         if value is not None and not bounds.minimum <= value <= bounds.maximum:
             allowed = within(bounds, quantity, preset)
             raise OutOfRange("wavelength_nm", constants.wavelength_nm, allowed(value))
+    return preset, constants
 
 
 def _of_the_middle(preset: Preset) -> list[str]:

@@ -17,7 +17,7 @@ from fastapi import FastAPI
 
 from app.batch.evaluation import evaluate
 from app.batch.rows import Hints, Names, Rows
-from app.materials import (
+from app.materials.media import (
     NEGLIGIBLE_K,
     constants_at,
     default_catalog,

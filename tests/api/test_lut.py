@@ -14,8 +14,8 @@ import pytest
 from numpy.typing import NDArray
 
 from app.answers.lookup import LookupErrors, LookupTable
-from app.materials import default_catalog
 from app.materials.appearance import color_curve
+from app.materials.media import default_catalog
 from app.optics.albedo import albedo
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface

@@ -14,7 +14,8 @@ import pytest
 from app.answers.materials.curves import MaterialCurves
 from app.answers.materials.map import MaterialMap
 from app.answers.materials.spectrum import MaterialSpectrum
-from app.materials import appearance, color_curve, default_catalog, rgb_constants
+from app.materials.appearance import appearance, averaged_interface, color_curve
+from app.materials.media import default_catalog
 from app.materials.schema import Points
 from app.optics.amplitudes import power
 from app.optics.incidence import Incidence
@@ -133,8 +134,8 @@ def test_rgb_is_the_core_s(ask: Ask, id: str) -> None:  # noqa: A002
     assert np.allclose(channels(truth)[:, 0], color.F0, atol=1e-12)
     assert np.array_equal(channels(schlick), polynomial(color.F0[:, np.newaxis], incidence.cos))
     assert tint["inputs"]["tint"] == color.F82_tint.tolist()
-    n, k = (values[:, np.newaxis] for values in rgb_constants(spectrum))
-    assert np.allclose(channels(exact), power(Interface(1.0, n, k), incidence).R, atol=1e-15)
+    averaged = averaged_interface(spectrum)
+    assert np.allclose(channels(exact), power(averaged, incidence).R, atol=1e-15)
 
 
 @pytest.mark.parametrize("id", ["Au", "Cr", "BK7"])

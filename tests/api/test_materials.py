@@ -13,7 +13,8 @@ from pydantic import TypeAdapter
 
 from app.answers.materials.detail import MaterialDetail
 from app.answers.materials.listing import Material, Materials
-from app.materials import appearance, default_catalog
+from app.materials.appearance import appearance
+from app.materials.media import default_catalog
 from app.optics.color import decode_srgb
 from app.optics.interface import Interface
 from tests.api.shapes import json_of

@@ -11,7 +11,7 @@ import httpx
 import pytest
 from fastapi import FastAPI
 
-from app.materials import NEGLIGIBLE_K, default_catalog
+from app.materials.media import NEGLIGIBLE_K, default_catalog
 from app.settings import Settings
 
 Ask = Callable[..., httpx.Response]

@@ -16,7 +16,7 @@ import pytest
 from typer.testing import CliRunner
 
 from app.cli.main import cli
-from app.materials import default_catalog
+from app.materials.media import default_catalog
 from tests.optics.reference.fresnel import fresnel
 
 ROWS = """\

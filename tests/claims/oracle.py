@@ -16,7 +16,7 @@ from urllib.parse import parse_qsl, urlsplit
 import numpy as np
 from numpy.typing import NDArray
 
-from app.materials import load_catalog
+from app.materials.catalog import load_catalog
 from app.optics.albedo import find_fit
 from app.optics.interface import Interface
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from app.materials import Catalog, load_catalog
+from app.materials.catalog import Catalog, load_catalog
 
 
 @pytest.fixture(scope="session")

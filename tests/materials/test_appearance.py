@@ -5,14 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.materials import (
-    Catalog,
-    WavelengthOutOfRange,
-    appearance,
-    color_curve,
-    interface,
-    rgb_constants,
-)
+from app.materials.appearance import appearance, averaged_interface, color_curve, interface
+from app.materials.catalog import Catalog
+from app.materials.errors import WavelengthOutOfRange
 from app.optics.color import WAVELENGTH_NM, luminance
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
@@ -79,24 +74,23 @@ def test_adapted_illuminants_agree_and_others_do_not(catalog: Catalog) -> None:
 
 def test_averaged_constants_keep_what_does_not_vary(catalog: Catalog) -> None:
     helium = catalog.spectrum("He")
-    n, k = rgb_constants(helium)
-    np.testing.assert_allclose(n, helium.n(587.6), rtol=0, atol=1e-5)
-    np.testing.assert_array_equal(k, 0.0)
+    averaged = averaged_interface(helium)
+    np.testing.assert_allclose(averaged.n_t, helium.n(587.6), rtol=0, atol=1e-5)
+    np.testing.assert_array_equal(averaged.k_t, 0.0)
 
 
 def test_averaged_constants_of_gold_miss_its_color(catalog: Catalog) -> None:
     # Why n, k triples are no substitute for spectra; red is most wrong, where n is near 0.
     gold = catalog.spectrum("Au")
-    n, k = rgb_constants(gold)
-    error = Interface(n_t=n, k_t=k).F0 - appearance(gold).F0
+    error = averaged_interface(gold).F0.ravel() - appearance(gold).F0
     assert np.abs(error).max() > 0.03
 
 
 def test_averaged_constants_stay_legal_where_a_channel_is_negative(catalog: Catalog) -> None:
     for id in ("Cu-Babar", "GaP", "AlSb"):  # noqa: A001
-        n, k = rgb_constants(catalog.spectrum(id))
-        assert n.min() > 0.0
-        assert k.min() >= 0.0
+        averaged = averaged_interface(catalog.spectrum(id))
+        assert averaged.n_t.min() > 0.0
+        assert averaged.k_t.min() >= 0.0
 
 
 def test_every_material_is_physical(catalog: Catalog) -> None:

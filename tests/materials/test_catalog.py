@@ -9,13 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.materials import (
-    Catalog,
-    NoSpectrum,
-    UnknownMaterial,
-    WavelengthOutOfRange,
-    load_catalog,
-)
+from app.materials.catalog import Catalog, load_catalog
+from app.materials.errors import NoSpectrum, UnknownMaterial, WavelengthOutOfRange
 from app.optics.errors import NotAllowed, UnknownName
 
 LOAD_BYTES = 40e6

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.materials import Catalog, appearance
+from app.materials.appearance import appearance
+from app.materials.catalog import Catalog
 from app.materials.spectrum import D_LINE_NM
 from app.optics.color import linear_srgb
 from app.optics.interface import Interface

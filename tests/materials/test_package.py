@@ -16,10 +16,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.materials import Catalog, Spectrum, load_catalog
 from app.materials.appearance import interface
+from app.materials.catalog import Catalog, load_catalog
 from app.materials.dispersion import refractive_index
 from app.materials.schema import Formula
+from app.materials.spectrum import Spectrum
 from app.optics.color import WAVELENGTH_NM, linear_srgb, xyz
 from tools.build_materials.database import native_points, read_page
 

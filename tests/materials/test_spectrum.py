@@ -10,10 +10,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.materials import Catalog, Spectrum, WavelengthOutOfRange
+from app.materials.catalog import Catalog
 from app.materials.dispersion import refractive_index
+from app.materials.errors import WavelengthOutOfRange
 from app.materials.location import data_directory
 from app.materials.schema import SpectrumFile
+from app.materials.spectrum import Spectrum
 from app.optics.color import WAVELENGTH_NM
 from app.optics.errors import NotAllowed
 

@@ -7,8 +7,9 @@ from typing import Annotated
 
 from app.answers.answer import SentAs, answer
 from app.answers.axes import MOST_CELLS
-from app.materials import Category, Front, Preset, WavelengthOutOfRange
-from app.materials.schema import Axis, Channels, Confidence, Sample
+from app.materials.errors import WavelengthOutOfRange
+from app.materials.front import Front
+from app.materials.schema import Axis, Category, Channels, Confidence, Preset, Sample
 from app.optics.errors import NotAllowed
 from app.optics.parameters import Array
 

@@ -14,7 +14,11 @@ from app.answers.answer import Table, Values, answer
 from app.answers.interface import CONVENTION
 from app.answers.materials.about import About, FrontMedium, refuse_more_than
 from app.answers.materials.rgb import CHANNELS, RgbCurves, rgb_curves
-from app.materials import DAYLIGHT, Front, Preset, Spectrum, Viewing, default_catalog, interface
+from app.materials.appearance import DAYLIGHT, Viewing, interface
+from app.materials.front import Front
+from app.materials.media import default_catalog
+from app.materials.schema import Preset
+from app.materials.spectrum import Spectrum
 from app.optics.amplitudes import reflectance
 from app.optics.color import Gamut
 from app.optics.incidence import Incidence

@@ -7,16 +7,10 @@ import numpy as np
 from app.answers.answer import answer
 from app.answers.materials.about import Rgb
 from app.answers.materials.listing import Material, Swatch, hex_of, in_gamut
-from app.materials import (
-    DAYLIGHT,
-    Appearance,
-    Preset,
-    Viewing,
-    appearance,
-    default_catalog,
-    resolve_material,
-)
-from app.materials.schema import Channels, Color, Confidence, Database, Provenance, Sample
+from app.materials.appearance import DAYLIGHT, Appearance, Viewing, appearance
+from app.materials.catalog import Spread
+from app.materials.media import default_catalog, resolve_material
+from app.materials.schema import Channels, Color, Confidence, Database, Preset, Provenance, Sample
 from app.optics.color import (
     WAVELENGTH_NM,
     Adaptation,
@@ -89,13 +83,7 @@ class Rival:
     luminance: float
 
 
-@answer
-class Spread:
-    """How far the measurements lie apart: luminous reflectance at normal incidence, D65."""
-
-    minimum: float
-    maximum: float
-    ids: tuple[str, ...]
+_TOLD = ("id", "name", "n", "k", "wavelength_nm", "sample", "confidence", "source")
 
 
 @answer
@@ -140,7 +128,7 @@ def detail(
         As `resolve_material` does.
     """
     catalog = default_catalog()
-    color, spread = _appearance(preset, viewing), catalog.spread(preset.id)
+    color = _appearance(preset, viewing)
     file = catalog.spectrum(preset.id).file if preset.kind == "spectrum" else None
     display = _display(color, gamut)
     return MaterialDetail(
@@ -159,12 +147,15 @@ def detail(
         display=display,
         conditions={} if file is None else file.conditions,
         provenance=None if file is None else file.provenance,
-        rivals=[_rival(other) for other in catalog.rivals(preset.id)],
-        spread=Spread(
-            minimum=spread.minimum,
-            maximum=spread.maximum,
-            ids=tuple(member.id for member in spread.presets),
-        ),
+        rivals=[
+            Rival(
+                **{name: getattr(other, name) for name in _TOLD},
+                F0=other.color.F0,
+                luminance=other.color.luminance,
+            )
+            for other in catalog.rivals(preset.id)
+        ],
+        spread=catalog.spread(preset.id),
         database=catalog.database,
     )
 
@@ -204,21 +195,6 @@ def _display(color: Appearance, gamut: Gamut) -> Display:
         F82=at_82,
         F82_tint=tint_at_82(F0, at_82),
         in_gamut=in_gamut(color.F0),
-    )
-
-
-def _rival(preset: Preset) -> Rival:
-    return Rival(
-        id=preset.id,
-        name=preset.name,
-        n=preset.n,
-        k=preset.k,
-        wavelength_nm=preset.wavelength_nm,
-        sample=preset.sample,
-        confidence=preset.confidence,
-        source=preset.source,
-        F0=preset.color.F0,
-        luminance=preset.color.luminance,
     )
 
 

@@ -10,8 +10,8 @@ import numpy as np
 from pydantic import Field
 
 from app.answers.answer import ChosenFields, answer
-from app.materials import Category, Preset, default_catalog
-from app.materials.schema import Channels, Database
+from app.materials.media import default_catalog
+from app.materials.schema import Category, Channels, Database, Preset
 from app.optics.color import Gamut, apply_gamut, srgb_hex
 from app.optics.parameters import Array
 

@@ -9,7 +9,10 @@ import numpy as np
 from app.answers.answer import Rows, Table, Values, answer
 from app.answers.interface import CONVENTION
 from app.answers.materials.about import About, FrontMedium, range_within, refuse_more_than
-from app.materials import Front, Preset, default_catalog, interface
+from app.materials.appearance import interface
+from app.materials.front import Front
+from app.materials.media import default_catalog
+from app.materials.schema import Preset
 from app.optics.amplitudes import power
 from app.optics.incidence import Incidence
 

@@ -10,7 +10,8 @@ import numpy as np
 from app.answers.answer import Gaps, answer
 from app.answers.materials.about import Rgb
 from app.answers.materials.detail import Seen
-from app.materials import Spectrum, Viewing, appearance, averaged_interface, color_curve
+from app.materials.appearance import Viewing, appearance, averaged_interface, color_curve
+from app.materials.spectrum import Spectrum
 from app.optics.color import Gamut, apply_gamut
 from app.optics.hemisphere import hemisphere
 from app.optics.incidence import Incidence

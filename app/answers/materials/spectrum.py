@@ -9,8 +9,9 @@ import numpy as np
 from app.answers.answer import Gaps, Table, Values, answer
 from app.answers.axes import MOST_STEPS
 from app.answers.materials.about import About, range_within, refuse_more_than
-from app.materials import Preset, default_catalog, normal_reflectance
-from app.materials.schema import Formula, Points, Quantity, Range
+from app.materials.appearance import normal_reflectance
+from app.materials.media import default_catalog
+from app.materials.schema import Formula, Points, Preset, Quantity, Range
 from app.optics.errors import NotAllowed
 from app.optics.parameters import Array
 

@@ -26,7 +26,9 @@ from app.api.materials.queries import (
 from app.api.params import reported_as
 from app.http.problems import MissingResource
 from app.http.route import QueryRoute
-from app.materials import Preset, UnknownMaterial, default_catalog
+from app.materials.errors import UnknownMaterial
+from app.materials.media import default_catalog
+from app.materials.schema import Preset
 from app.optics.registry import Registry, default_registry
 
 

@@ -9,10 +9,20 @@ from pydantic import Field, model_validator
 
 from app.answers.materials.map import Quantity
 from app.api.model_parameters import ModelsParameter, parse_models
-from app.api.params import MAX_SAMPLES, number, preset_name, refuse_beside, reported_as, wavelength
+from app.api.params import (
+    MAX_SAMPLES,
+    equal_samples,
+    number,
+    preset_name,
+    refuse_beside,
+    reported_as,
+    wavelength,
+)
 from app.http.problems import BadParameters, ParameterError
 from app.http.query import Count, DigitsQuery, Number, QueryModel, TableQuery
-from app.materials import Category, Front, Viewing
+from app.materials.appearance import Viewing
+from app.materials.front import Front
+from app.materials.schema import Category
 from app.optics.color import Adaptation, Gamut, Illuminant, Observer
 from app.optics.errors import NotAllowed
 from app.optics.parameters import N_I, Array
@@ -25,15 +35,6 @@ def _gamut(default: Gamut) -> Any:
         description="What is done about colors that sRGB cannot show: `unclamped` nothing, "
         "`clamped` cuts each channel to 0 and 1, `scaled` divides by the largest channel where that "
         "exceeds 1.",
-    )
-
-
-def _samples(default: int) -> Any:
-    return Field(
-        default,
-        ge=2,
-        le=MAX_SAMPLES,
-        description="Equally spaced angles from 0 to 90 degrees, both ends included.",
     )
 
 
@@ -147,7 +148,7 @@ class MapQuery(FrontQuery, RangeQuery, TableQuery):
     cells: ClassVar[tuple[str, ...]] = ("steps", "samples")
 
     quantity: Quantity = Field("R", description="Unpolarized, s or p.")
-    samples: Count = _samples(91)
+    samples: Count = equal_samples(91)
     steps: Count = Field(
         201, ge=2, le=MAX_SAMPLES, description="Equally spaced wavelengths, both ends included."
     )
@@ -211,7 +212,7 @@ class MaterialCurvesQuery(FrontQuery, RgbQuery, TableQuery):
         "400, 500, 600, 700 and 800 that are, unless given.",
         examples=["400,500,600,700,800"],
     )
-    samples: Count = _samples(181)
+    samples: Count = equal_samples(181)
 
     @property
     def takes_long(self) -> bool:
