@@ -1,4 +1,4 @@
-/** One colour and one dash for each fit: what has the same authors has the same colour. */
+/** One color and one dash for each fit: what has the same authors has the same color. */
 
 import { modelStyle } from "../models/look.js";
 
