@@ -14,8 +14,17 @@ import { h, setText, symbol } from "../page/dom.js";
  * @param {string} [options.id] of the place where it is said what is wrong
  * @param {string} [options.name] of the box, where several share a place for what is wrong
  * @param {HTMLElement} [options.wrong] that place
+ * @param {(text: string, why: string) => string} [options.words] what is said there
  */
-export function createTyped({ attributes, parse, onChange, id, name, wrong }) {
+export function createTyped({
+  attributes,
+  parse,
+  onChange,
+  id,
+  name,
+  wrong,
+  words = (text, why) => `${name ? `${name}, ` : ""}“${text}”: ${why}`,
+}) {
   const box = h("input", {
     type: "text",
     autocomplete: "off",
@@ -33,8 +42,7 @@ export function createTyped({ attributes, parse, onChange, id, name, wrong }) {
       onChange(value);
     } catch (problem) {
       box.setAttribute("aria-invalid", "true");
-      const why = problem instanceof Error ? problem.message : problem;
-      setText(said, `${name ? `${name}, ` : ""}“${text}”: ${why}`);
+      setText(said, words(text, problem instanceof Error ? problem.message : String(problem)));
     }
   });
   return {

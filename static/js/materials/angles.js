@@ -1,11 +1,12 @@
 /** R over the angle at wavelengths of choice: Shirley's figure of copper, for any material. */
 
+import { createTyped } from "../controls/typed.js";
 import { angleAxis, pointsAt } from "../curves/reading.js";
 import { wavelengthColor, wavelengthDash, wavelengthProperty } from "../media/wavelength.js";
 import { inDegrees, inUnit, plain } from "../numbers/format.js";
+import { createChanged } from "../page/changed.js";
 import { h } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
-import { createBox } from "./box.js";
 import { SHIRLEY_NM, wavelengths } from "./fields.js";
 import { createPanel } from "./panel.js";
 
@@ -43,22 +44,24 @@ export function createAnglePlot({ actions, now }, frame, options) {
 /** @param {import('./panel.js').FigureContext} context */
 export function createAngles(context) {
   const { actions } = context;
-  const box = createBox({
-    id: "nm",
-    parse: wavelengths().parse,
-    onValue: (nm) => actions.set({ nm }),
+  const { parse } = wavelengths();
+  const typed = createTyped({
+    attributes: { class: "box nm", id: "nm" },
+    id: "nm-error",
+    parse: (text) => (text === "" ? null : parse(text)),
+    onChange: (nm) => actions.set({ nm }),
+    words: (text, why) => `“${text}”: ${why}.`,
   });
-  const frame = h("div", { class: "frame" });
+  const frame = h("div.frame");
   const panel = createPanel(context, {
     title: "Over the angle, at wavelengths",
     name: "angles",
     controls: [
       h(
-        "span",
-        { class: "nm-row" },
+        "span.nm-row",
         h("label", { for: "nm" }, "at λ ="),
-        box.input,
-        h("span", { class: "unit" }, "nm"),
+        typed.box,
+        h("span.unit", "nm"),
         h(
           "button",
           {
@@ -70,9 +73,9 @@ export function createAngles(context) {
           "400 … 800",
         ),
       ),
-      box.error,
+      typed.wrong,
     ],
-    frames: [h("div", { class: "plot-host" }, frame)],
+    frames: [h("div.plot-host", frame)],
     figures: () => [plot],
     what: () => "R-theta",
     call: "rgb=false",
@@ -81,7 +84,7 @@ export function createAngles(context) {
     name: "Reflectance over the angle at several wavelengths",
     names: 6,
   });
-  let drawn = "";
+  const changed = createChanged();
   /** @type {any} */
   let source = null;
   /** @type {Trace[]} */
@@ -101,11 +104,10 @@ export function createAngles(context) {
         state.nm ??
         answer?.wavelengths.map((/** @type {any} */ w) => w.wavelength_nm) ??
         SHIRLEY_NM;
-      box.update(shown.map((/** @type {number} */ v) => plain(v, 8)).join(", "));
+      typed.update(shown.map((/** @type {number} */ v) => plain(v, 8)).join(", "));
       if (answer?.material.id !== state.preset) return;
-      if (answer !== source || drawn !== state.angle) {
+      if (changed(answer, state.angle)) {
         source = answer;
-        drawn = state.angle;
         const x = anglesOf(answer, state);
         traces = answer.wavelengths.map(
           (/** @type {any} */ { wavelength_nm, R }, /** @type {number} */ index) => ({

@@ -1,5 +1,6 @@
 /** The catalog: a search, two filters, the table of what they leave. */
 
+import { createSelect } from "../controls/select.js";
 import { h } from "../page/dom.js";
 import { html, render } from "../page/lit.js";
 import { createPresetTable } from "./table.js";
@@ -21,8 +22,7 @@ const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 export function createBrowser({ catalog, actions, onPick }) {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let pause;
-  const search = h("input", {
-    class: "box search",
+  const search = h("input.box.search", {
     type: "search",
     id: "find",
     autocomplete: "off",
@@ -51,15 +51,9 @@ export function createBrowser({ catalog, actions, onPick }) {
     onSort: (list_by, list_order) => actions.set({ list_by, list_order }),
     onLeave: () => search.focus(),
   });
-  const element = h("section", { class: "browser", "aria-label": "Catalog" });
-
-  /** @param {string} label @param {string} name of the state's field @param {Record<string, string>} words @param {State} state */
-  const picker = (label, name, words, state) => html`<span class="picker">
-      <select class="preset" aria-label=${label}
-        @change=${(/** @type {any} */ { target }) => actions.set({ [name]: target.value })}>
-        ${Object.entries(words).map(([value, word]) => html`<option value=${value} .selected=${value === state[name]}>${word}</option>`)}
-      </select>
-    </span>`;
+  const category = createSelect("Category", (category) => actions.set({ category }));
+  const kind = createSelect("Kind of data", (of_kind) => actions.set({ of_kind }), KINDS);
+  const element = h("section.browser", { "aria-label": "Catalog" });
 
   /** @param {string} find @param {string[]} ids */
   function suggested(find, ids) {
@@ -91,15 +85,17 @@ export function createBrowser({ catalog, actions, onPick }) {
       const gamut = presets[0]?.swatch.gamut ?? "scaled";
       table.element.hidden = none;
       if (answer) table.update(presets, state.list_by, state.list_order, state.preset);
-      const names = {
-        all: `all categories (${all})`,
-        ...Object.fromEntries(categories.map(([name, n]) => [name, `${capital(name)} (${n})`])),
-      };
+      const names = categories.map(([name, many]) => [name, `${capital(name)} (${many})`]);
+      if (answer)
+        category.update(state.category, {
+          all: `all categories (${all})`,
+          ...Object.fromEntries(names),
+        });
+      kind.update(state.of_kind);
       render(
         html`<div class="browser-head">
             <label class="search-label" for="find"><h2>Catalog</h2></label>
-            ${search} ${picker("Category", "category", answer ? names : {}, state)}
-            ${picker("Kind of data", "of_kind", KINDS, state)}
+            ${search} ${category.element} ${kind.element}
             <p class="count" role="status">${answer ? count : ""}</p>
           </div>
           <p class="suggestions" ?hidden=${!none}>${none ? suggested(state.find, answer.suggestions) : ""}</p>

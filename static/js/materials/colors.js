@@ -5,6 +5,7 @@
 
 import { angleAxis } from "../curves/reading.js";
 import { plain, significant } from "../numbers/format.js";
+import { createChanged } from "../page/changed.js";
 import { h } from "../page/dom.js";
 import { html, render } from "../page/lit.js";
 import { anglesOf, createAnglePlot } from "./angles.js";
@@ -68,11 +69,9 @@ const errorTable = (
 
 /** @param {import('./panel.js').FigureContext} context */
 export function createColors(context) {
-  const headings = [h("h3", {}), h("h3", {}, "Three: F₀ in R, G and B")];
-  const frames = headings.map(() => h("div", { class: "frame" }));
-  const halves = frames.map((frame, i) =>
-    h("div", { class: "half" }, headings[i], h("div", { class: "plot-host" }, frame)),
-  );
+  const headings = [h("h3"), h("h3", "Three: F₀ in R, G and B")];
+  const frames = headings.map(() => h("div.frame"));
+  const halves = frames.map((frame, i) => h("div.half", headings[i], h("div.plot-host", frame)));
   const panel = createPanel(context, {
     title: "Two Schlicks against the spectrum",
     name: "two-schlicks",
@@ -82,8 +81,7 @@ export function createColors(context) {
     call: "curves?models=",
   });
   const plots = frames.map((frame) => createAnglePlot(context, frame, { name: "Reflectance" }));
-  /** @type {unknown[]} */
-  let drawn = [];
+  const changed = createChanged();
   /** @type {Trace[][]} */
   let traces = [[], []];
   render(errorTable(null), panel.element);
@@ -98,11 +96,7 @@ export function createColors(context) {
         spectral && answers.colors?.material.id === state.preset ? answers.colors : null;
       const index = answers.index?.interface.n_t === preset?.n ? answers.index : null;
       if (!preset || !index || (spectral && !colors)) return;
-      const sources = [index, colors, state.angle];
-      if (sources.some((s, i) => s !== drawn[i])) {
-        drawn = sources;
-        draw(state, preset, index, colors);
-      }
+      if (changed(index, colors, state.angle)) draw(state, preset, index, colors);
       plots.forEach((plot, i) => {
         plot.mark(traces[i] ?? []);
       });

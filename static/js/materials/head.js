@@ -20,7 +20,7 @@ const AXES = { o: "ordinary ray", e: "extraordinary ray" };
 
 /** @param {Pick<ViewContext, 'views' | 'actions'>} context */
 export function createHead({ views, actions }) {
-  const element = h("header", { class: "material-head" });
+  const element = h("header.material-head");
   const targets = views.filter((view) => TARGETS.includes(view.id));
   return {
     element,

@@ -3,6 +3,7 @@
 import { createChoices } from "../controls/panel.js";
 import { angleAxis } from "../curves/reading.js";
 import { inDegrees, inUnit, significant } from "../numbers/format.js";
+import { createChanged } from "../page/changed.js";
 import { h } from "../page/dom.js";
 import { createHeatmap } from "../plot/heatmap.js";
 import { anglesOf } from "./angles.js";
@@ -24,12 +25,12 @@ export function createMap(context) {
   const choices = createChoices(actions, {
     map_of: ["Polarization", { R: "unpolarized", Rs: "s", Rp: "p" }],
   });
-  const frame = h("div", { class: "frame" });
+  const frame = h("div.frame");
   const panel = createPanel(context, {
     title: "Over angle and wavelength",
     name: "lambda-map",
     controls: [choices.elements.map_of],
-    frames: [h("div", { class: "plot-host" }, frame)],
+    frames: [h("div.plot-host", frame)],
     figures: () => [map],
     what: () => "theta-lambda",
     call: "/map",
@@ -44,18 +45,14 @@ export function createMap(context) {
       actions.set({ theta_i_deg, at_nm: y });
     },
   });
-  let drawn = "";
-  /** @type {unknown} */
-  let source = null;
+  const changed = createChanged();
   return {
     ...panel,
     /** @param {State} state @param {any} answer @param {number | null} at */
     update(state, answer, at) {
       choices.update(state);
       if (answer?.material.id !== state.preset || answer.quantity !== state.map_of) return;
-      if (answer !== source || drawn !== state.angle) {
-        source = answer;
-        drawn = state.angle;
+      if (changed(answer, state.angle)) {
         const sign = NAMES[answer.quantity] ?? "R";
         const wavelengths = /** @type {number[]} */ (answer.wavelength_nm);
         void map.draw(

@@ -1,13 +1,13 @@
 /** Constants and colors of the chosen preset: shown with six digits, copied in full. */
 
 import { createChoices } from "../controls/panel.js";
+import { createTyped } from "../controls/typed.js";
 import { stretch } from "../media/wavelength.js";
 import { ExpressionError, evaluate } from "../numbers/expression.js";
 import { plain, six } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
 import { copying } from "../page/exports.js";
 import { html, render } from "../page/lit.js";
-import { createBox } from "./box.js";
 import { POLICIES } from "./browser.js";
 import { told } from "./panel.js";
 import { swatch } from "./table.js";
@@ -57,20 +57,21 @@ export function createNumbers({ actions, say }) {
       },
     ],
   });
-  const at = createBox({
-    id: "at-nm",
-    name: "λ = ",
+  const at = createTyped({
+    attributes: { class: "box", id: "at-nm" },
+    id: "at-nm-error",
     parse(text) {
-      const value = evaluate(text);
-      if (!(value > 0)) throw new ExpressionError("a wavelength is positive");
+      const value = text === "" ? null : evaluate(text);
+      if (value !== null && !(value > 0)) throw new ExpressionError("a wavelength is positive");
       return value;
     },
-    onValue: (at_nm) => actions.set({ at_nm }),
+    onChange: (at_nm) => actions.set({ at_nm }),
+    words: (text, why) => `λ = “${text}”: ${why}.`,
   });
   const lambda = symbol("\\lambda");
   const constants = CONSTANTS.map(([name, sign]) => ({ name, sign: symbol(sign) }));
   const colors = COLORS.map(([name, sign, note]) => ({ name, sign: symbol(sign), note }));
-  const element = h("div", { class: "material-numbers" });
+  const element = h("div.material-numbers");
 
   /** @param {string} name that is read out @param {number | string | null | undefined} value in full @param {string} text */
   const number = (name, value, text) => html`<button type="button" class="number"
@@ -96,9 +97,9 @@ export function createNumbers({ actions, say }) {
       html`<section class="constants" aria-label="Constants at one wavelength">
           <div class="at">
             <label for="at-nm"><h2>At one wavelength</h2></label>
-            <span class="at-box">${lambda} ${at.input} <span>${kind === "spectrum" ? "nm" : alone}</span></span>
+            <span class="at-box">${lambda} ${at.box} <span>${kind === "spectrum" ? "nm" : alone}</span></span>
           </div>
-          ${at.error}
+          ${at.wrong}
           <dl class="numbers">
             ${constants.map(({ name, sign }) => html`<div><dt>${sign}</dt><dd>${number(name, known[name], written(known[name]))}</dd></div>`)}
           </dl>
@@ -129,15 +130,17 @@ export function createNumbers({ actions, say }) {
     /** @param {any} detail @param {State} state */
     update(detail, state) {
       const asked = state.at_nm ?? detail.constants.wavelength_nm;
-      at.update(asked === null ? "" : plain(asked, 8));
-      at.input.hidden = detail.kind !== "spectrum";
-      at.input.title = detail.n_range_nm ? `known for ${stretch(detail.n_range_nm)}` : "";
+      const written = asked === null ? "" : plain(asked, 8);
+      at.update(written);
+      at.box.value ||= written;
+      at.box.hidden = detail.kind !== "spectrum";
+      at.box.title = detail.n_range_nm ? `known for ${stretch(detail.n_range_nm)}` : "";
       draw(detail);
     },
     /** @param {{title: string, lines: string[]} | undefined} problem */
     problem(problem) {
-      setText(at.error, told(problem));
-      at.input.toggleAttribute("aria-invalid", Boolean(problem));
+      setText(at.wrong, told(problem));
+      at.box.toggleAttribute("aria-invalid", Boolean(problem));
     },
   };
 }

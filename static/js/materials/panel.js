@@ -37,18 +37,18 @@ export function createPanel(
     print: { figures, call, behind: () => ({ presets: presets() }) },
     save,
   });
-  const problem = h("p", { class: "row-error", role: "alert" });
-  const note = h("p", { class: "hint" });
+  const problem = h("p.row-error", { role: "alert" });
+  const note = h("p.hint");
   const tables = createDataTables("As a table", {
     [`${title}, table`]: () => figures().map((figure) => figure.table()),
   });
   const element = h(
     "section",
     { class: `column sheet ${name}`, "aria-label": title },
-    h("div", { class: "heading" }, h("h2", {}, title), exports),
-    h("div", { class: "sheet-controls" }, ...controls),
+    h("div.heading", h("h2", title), exports),
+    h("div.sheet-controls", ...controls),
     problem,
-    h("div", { class: "figure-row" }, ...frames),
+    h("div.figure-row", ...frames),
     note,
     tables.element,
   );

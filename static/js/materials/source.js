@@ -40,7 +40,7 @@ const data = ({ database, tag, file, sha256 }) => html`${database} ${tag}, ${fil
 
 /** @param {(text: string) => void} say */
 export function createSource(say) {
-  const element = h("section", { class: "column sheet origin", "aria-label": "Source" });
+  const element = h("section.column.sheet.origin", { "aria-label": "Source" });
   return {
     element,
     /** @param {any} detail */
@@ -79,10 +79,7 @@ const HEADINGS = ["measurement", "Y", "difference", "n", "k", "sample, confidenc
  * @param {(id: string) => void} onPick
  */
 export function createRivals(onPick) {
-  const element = h("section", {
-    class: "column sheet rival-list",
-    "aria-label": "Other measurements",
-  });
+  const element = h("section.column.sheet.rival-list", { "aria-label": "Other measurements" });
   return {
     element,
     /** @param {any} detail */

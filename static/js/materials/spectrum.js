@@ -2,6 +2,7 @@
 
 import { createChoice, createChoices } from "../controls/panel.js";
 import { stretch } from "../media/wavelength.js";
+import { createChanged } from "../page/changed.js";
 import { h } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
 import { known, spanned, valueAt, within } from "./band.js";
@@ -57,14 +58,14 @@ export function createSpectrum(context) {
     items: [{ value: "shown", label: "rivals", note: "other measurements of the same material" }],
     onChange: (values) => actions.set({ rivals: values.length ? "shown" : "hidden" }),
   });
-  const frame = h("div", { class: "frame" });
+  const frame = h("div.frame");
   /** @type {any} */
   let spectrum = null;
   const panel = createPanel(context, {
     title: "Over the wavelength",
     name: "spectrum",
     controls: [...Object.values(choices.elements), rivals.element],
-    frames: [h("div", { class: "plot-host" }, frame)],
+    frames: [h("div.plot-host", frame)],
     figures: () => [plot],
     what: () => (now().plot_of === "F0" ? "F0" : "n-k"),
     call: "/spectrum",
@@ -83,7 +84,7 @@ export function createSpectrum(context) {
       if (settled) actions.settle();
     },
   });
-  let drawn = "";
+  const changed = createChanged();
   /** @type {{material: {id: string}}[]} the spectra that are drawn */
   let sources = [];
   /** @type {Trace[]} */
@@ -105,14 +106,9 @@ export function createSpectrum(context) {
         state.rivals === "shown"
           ? others.flatMap((id) => (answers[`rival:${id}`] ? [answers[`rival:${id}`]] : []))
           : [];
-      const look = JSON.stringify([state.plot_of, state.reach, state.lambda_axis]);
-      const all = [spectrum, ...measured];
-      const same = all.length === sources.length && all.every((a, i) => a === sources[i]);
-      if (look !== drawn || !same) {
-        drawn = look;
-        sources = all;
+      sources = [spectrum, ...measured];
+      if (changed(state.plot_of, state.reach, state.lambda_axis, ...sources))
         draw(state, spectrum, measured);
-      }
       plot.marker(
         at,
         at === null ? [] : traces.slice(0, 2).map((t) => ({ id: t.id, y: valueAt(t, at) })),

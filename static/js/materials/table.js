@@ -1,6 +1,7 @@
 /** The table of presets: one stop for the Tab key, arrows walk through it, the row walked to is shown. */
 
 import { stretch } from "../media/wavelength.js";
+import { createChanged } from "../page/changed.js";
 import { h } from "../page/dom.js";
 import { html, noChange, nothing, render } from "../page/lit.js";
 import { COLUMNS, sortedPresets } from "./columns.js";
@@ -22,15 +23,14 @@ export const swatch = (hex, size = "") =>
  * @param {() => void} options.onLeave upwards, beyond the first row
  */
 export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
-  const element = h("div", { class: "presets-scroll" });
+  const element = h("div.presets-scroll");
   /** @type {readonly Preset[]} */
   let shown = [];
   let sort = { by: "match", order: "up" };
   let chosen = "";
   /** What each row was drawn of. @type {unknown[][]} */
   const rows = [];
-  /** What the table was drawn of. @type {readonly unknown[]} */
-  let drawn = [];
+  const [listed, changed] = [createChanged(), createChanged()];
 
   /** @param {string} id @returns {HTMLTableRowElement | null} */
   const rowOf = (id) => element.querySelector(`tr[data-id="${CSS.escape(id)}"]`);
@@ -158,11 +158,8 @@ export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
      * @param {string} preset the chosen one
      */
     update(presets, by, order, preset) {
-      const now = [presets, by, order, preset];
-      if (now.every((one, i) => one === drawn[i])) return;
-      if (now.slice(0, 3).some((one, i) => one !== drawn[i]))
-        shown = sortedPresets(presets, by, order);
-      drawn = now;
+      if (listed(presets, by, order)) shown = sortedPresets(presets, by, order);
+      if (!changed(shown, preset)) return;
       sort = { by, order };
       const came = chosen !== preset;
       chosen = preset;

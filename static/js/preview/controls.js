@@ -2,6 +2,7 @@
 
 import { createChoices, createRow, createSheet } from "../controls/panel.js";
 import { createParameters } from "../controls/parameters.js";
+import { createSelect } from "../controls/select.js";
 import { createInterface } from "../media/media.js";
 import { ExpressionError, evaluate } from "../numbers/expression.js";
 import { plain } from "../numbers/format.js";
@@ -29,19 +30,20 @@ const GROUPS = {
   "Exact forms": ({ kind, trap }) => kind === "exact" && !trap,
 };
 
-/** @param {Model[]} models @param {string} chosen */
-function modelOptions(models, chosen) {
-  /** @param {string} id @param {string} title */
-  const option = (id, title) =>
-    html`<option value=${id} .selected=${id === chosen}>${title}</option>`;
-  /** @param {Model[]} some */
-  const options = (some) => some.map(({ id, title }) => option(id, title));
-  const others = models.filter((m) => m.id !== "exact");
-  const groups = Object.entries(GROUPS).map(
-    ([label, holds]) => html`<optgroup label=${label}>${options(others.filter(holds))}</optgroup>`,
-  );
-  const exact = models.filter((m) => m.id === "exact");
-  return html`${options(exact)}${option(NONE, "No reflection")}${groups}`;
+/** @param {Model[]} models @returns {import('../controls/select.js').Options} */
+function sidesOf(models) {
+  /** @param {(model: Model) => boolean} holds */
+  const titles = (holds) =>
+    Object.fromEntries(models.filter(holds).map(({ id, title }) => [id, title]));
+  const groups = Object.entries(GROUPS).map(([name, holds]) => [
+    name,
+    titles((m) => m.id !== "exact" && holds(m)),
+  ]);
+  return {
+    ...titles((m) => m.id === "exact"),
+    [NONE]: "No reflection",
+    ...Object.fromEntries(groups),
+  };
 }
 
 /** @param {ViewContext} context */
@@ -105,20 +107,21 @@ export function createControls(context) {
   });
   body.append(paint);
 
-  /** @param {State} now @param {'left' | 'right'} side @param {string} reason */
-  const sideOf = (now, side, reason) => html`<section class="side-choice" aria-label=${side}>
+  const offered = sidesOf(catalog.models);
+  /** @param {'left' | 'right'} side */
+  const select = (side) =>
+    createSelect(`Model on the ${side}`, (id) => actions.set({ [side]: id }), offered);
+  const selects = { left: select("left"), right: select("right") };
+
+  /** @param {'left' | 'right'} side @param {string} reason */
+  const sideOf = (side, reason) => html`<section class="side-choice" aria-label=${side}>
     <h2>${side}</h2>
-    <span class="picker">
-      <select class="preset" aria-label="Model on the ${side}"
-        @change=${(/** @type {any} */ { target }) => actions.set({ [side]: target.value })}>
-        ${modelOptions(catalog.models, now[side])}
-      </select>
-    </span>
+    ${selects[side].element}
     ${choices.elements[`${side}_by`]}
     <p class="reason">${reason}</p>
   </section>`;
 
-  const panel = h("div", { class: "panel-body" });
+  const panel = h("div.panel-body");
   const sheet = createSheet({ pages: rows, body: panel, first: "n_t" });
   return {
     element: sheet.element,
@@ -137,6 +140,7 @@ export function createControls(context) {
       for (const { name, row } of rows) row.update(now[name]);
       sheet.update();
       choices.update(now);
+      for (const side of SIDES) selects[side].update(now[side]);
       const textured = now.left_by === "texture" || now.right_by === "texture";
       texels.element.hidden = !textured;
       if (textured) texels.update(now.texels);
@@ -149,7 +153,7 @@ export function createControls(context) {
       colors.hidden = coloredMaterial(now, catalog) === null;
       render(
         html`<div class="choices">
-            ${SIDES.map((side) => sideOf(now, side, reasons[side]))}
+            ${SIDES.map((side) => sideOf(side, reasons[side]))}
             <div>${texels.element}${parameters.element}</div>
           </div>
           <div class="heading"><h2>Media</h2></div>

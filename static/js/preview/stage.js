@@ -37,21 +37,19 @@ const rounded = (x) => Number(x.toFixed(2));
  * @param {Pick<ViewContext, 'state' | 'actions' | 'save'> & {onMeasured: (difference: Difference | null) => void}} context
  */
 export function createStage({ state, actions, onMeasured, save }) {
-  const canvas = h("canvas", {
-    class: "scene",
+  const canvas = h("canvas.scene", {
     tabindex: 0,
     role: "application",
     "aria-label":
       "Scene: arrow keys turn it, plus and minus change the distance, Home goes back to the start",
   });
   const names = {
-    left: h("span", { class: "side-name" }),
-    right: h("span", { class: "side-name" }),
+    left: h("span.side-name"),
+    right: h("span.side-name"),
   };
   const divider = h(
-    "div",
+    "div.divider",
     {
-      class: "divider",
       role: "slider",
       tabindex: 0,
       "aria-label": "Where the left side ends",
@@ -59,12 +57,12 @@ export function createStage({ state, actions, onMeasured, save }) {
       "aria-valuemax": 100,
       "aria-orientation": "horizontal",
     },
-    h("i", {}),
+    h("i"),
   );
-  const frame = h("div", { class: "scene-frame" }, canvas, names.left, names.right, divider);
-  const hint = h("p", { class: "hint" });
-  const lost = h("p", { class: "row-error", role: "alert" });
-  const element = h("div", { class: "stage" }, frame, hint, lost);
+  const frame = h("div.scene-frame", canvas, names.left, names.right, divider);
+  const hint = h("p.hint");
+  const lost = h("p.row-error", { role: "alert" });
+  const element = h("div.stage", frame, hint, lost);
 
   let renderer = createRenderer(canvas);
   /** @type {Picture | null} */

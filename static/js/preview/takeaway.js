@@ -1,23 +1,19 @@
 /** Code and tables of the models on the sides, below the picture; made when the reader comes near. */
 
 import { h } from "../page/dom.js";
+import { createProblems } from "../page/trouble.js";
 import { freshOf } from "../server/questions.js";
 import { withCode } from "./fields.js";
 import { later } from "./queries.js";
 
-/**
- * @typedef {{title: string, lines: string[]}} Told
- */
-
 /** @param {Pick<ViewContext, 'catalog' | 'state' | 'actions' | 'say' | 'save'>} context */
 export function createTakeaway({ catalog, state, actions, say, save }) {
-  const element = h("div", { class: "takeaway" });
+  const element = h("div.takeaway");
   /** @type {Awaited<ReturnType<typeof make>> | null} */
   let panels = null;
   /** @type {Record<string, any>} */
   let answers = {};
-  /** @type {Record<string, Told>} what went wrong, by the query's name */
-  let problems = {};
+  const problems = createProblems(["shader", "lut"]);
 
   async function make() {
     const [{ createSnippets }, { createTables }] = await Promise.all([
@@ -31,9 +27,9 @@ export function createTakeaway({ catalog, state, actions, say, save }) {
 
   function show() {
     const now = state();
-    const fresh = freshOf(answers, later(now, catalog));
-    panels?.snippets.update(now, withCode(now), fresh.shader, problems.shader);
-    panels?.tables.update(now, withCode(now), fresh.lut, problems.lut);
+    const { shader, lut } = freshOf(answers, later(now, catalog));
+    panels?.snippets.update(now, withCode(now), shader, problems.of("shader", answers));
+    panels?.tables.update(now, withCode(now), lut, problems.of("lut", answers));
   }
 
   const watching = new IntersectionObserver(
@@ -52,18 +48,14 @@ export function createTakeaway({ catalog, state, actions, say, save }) {
     element,
     /** @param {Record<string, any>} found */
     update(found) {
-      problems = Object.fromEntries(
-        Object.entries(problems).filter(([name]) => found[name] === answers[name]),
-      );
       answers = found;
       show();
     },
-    /** @param {string} name @param {Told} problem @returns {boolean} whether it is said here */
+    /** @param {string} name @param {import('../page/trouble.js').Problem} problem @returns {boolean} whether it is said here */
     problem(name, problem) {
-      if (name !== "shader" && name !== "lut") return false;
-      problems[name] = problem;
-      show();
-      return true;
+      const told = problems.add(name, problem, answers);
+      if (told) show();
+      return told;
     },
     theme: () => panels?.tables.theme(),
     destroy() {

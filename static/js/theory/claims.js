@@ -69,7 +69,7 @@ function card({ id, title, claimed, source, domain, verdict, found, figures, par
     figures.length === 1
       ? "The figure and the request that gives it"
       : `${figures.length} figures and the requests that give them`;
-  const element = h("article", { class: "claim", id: `claim-${id}`, tabindex: "-1" });
+  const element = h("article.claim", { id: `claim-${id}`, tabindex: "-1" });
   render(
     html`<p class="claim-head">
         <span class="claim-verdict" data-mood=${MOODS[verdict] ?? "none"}>${verdict}</span>
@@ -96,7 +96,7 @@ function card({ id, title, claimed, source, domain, verdict, found, figures, par
 
 /** @param {Pick<ViewContext, 'actions'>} context */
 export function createClaimsPage({ actions }) {
-  const element = h("div", { class: "claims-page" });
+  const element = h("div.claims-page");
   /** @type {Claim[]} */
   let claims = [];
   /** @type {Map<string, HTMLElement>} */

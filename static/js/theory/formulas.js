@@ -3,6 +3,7 @@
 import { pointsAt } from "../curves/reading.js";
 import { modelStyle, shortTitle } from "../models/look.js";
 import { plain, signed, significant } from "../numbers/format.js";
+import { createChanged } from "../page/changed.js";
 import { h } from "../page/dom.js";
 import { copying, createDataTables } from "../page/exports.js";
 import { addressOf, clicked, pageLink } from "../page/links.js";
@@ -130,10 +131,10 @@ export function createFormulas({ catalog, actions, say }) {
     oninput: () => actions.set({ word: box.value.trim() || null }, { history: "replace" }),
     onchange: actions.settle,
   });
-  const nav = h("nav", { class: "formula-list", "aria-label": "Formulas" });
-  const detail = h("article", { class: "formula-detail" });
-  const element = h("div", { class: "formulas" }, nav, detail);
-  const plotFrame = h("div", { class: "frame" });
+  const nav = h("nav.formula-list", { "aria-label": "Formulas" });
+  const detail = h("article.formula-detail");
+  const element = h("div.formulas", nav, detail);
+  const plotFrame = h("div.frame");
   const tables = createDataTables("The curve as a table", {
     "Table of the curve": () => [plot.table()],
   });
@@ -146,8 +147,7 @@ export function createFormulas({ catalog, actions, say }) {
   });
   /** @type {Formula[]} */
   let formulas = [];
-  /** What the list was drawn of. @type {unknown[]} */
-  let listed = [];
+  const listed = createChanged();
   /** @type {Formula | null | undefined} null before there are any, undefined where there is none of the name */
   let shown = null;
   /** @type {FormulaCurve | null} */
@@ -163,9 +163,7 @@ export function createFormulas({ catalog, actions, say }) {
 
   /** The formulas that hold all words, by kind. @param {string | null} find @param {string} current */
   function list(find, current) {
-    const now = [formulas, find, current];
-    if (now.every((one, i) => one === listed[i])) return;
-    listed = now;
+    if (!listed(formulas, find, current)) return;
     const wanted = (find ?? "").toLowerCase().split(/\s+/).filter(Boolean);
     const found = formulas.filter(({ id, title, reference }) => {
       const text = `${id} ${title} ${reference}`.toLowerCase();

@@ -54,7 +54,7 @@ export function createMystery({ catalog, state, actions, say }) {
     "The heavy line was measured on an unknown material in air. Move $n$ and $k$ until your dashed line lies on it, then check.",
     "Begin where the line begins: $F_0$ alone leaves a whole circle of $n$ and $k$, and the bend before grazing incidence decides among them. A line that falls to a dip and rises late belongs to a metal.",
   ].map((paragraph) => html`<p>${pieces(paragraph)}</p>`);
-  const element = h("div", { class: "lessons mystery" });
+  const element = h("div.lessons.mystery");
 
   let code = "";
   /** @type {string[]} */

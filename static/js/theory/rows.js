@@ -81,8 +81,7 @@ export function createRows({ rows, presets, polarized = false, catalog, actions,
 
   return {
     element: h(
-      "div",
-      { class: "rows lesson-rows" },
+      "div.rows.lesson-rows",
       ...made.map(({ row }) => row.element),
       polarization?.element,
     ),

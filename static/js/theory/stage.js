@@ -54,27 +54,16 @@ function colorTraces({ theta_i_deg: x, rgb }, ids, models) {
  * @param {Actions} options.actions
  */
 export function createStage({ catalog, name, actions }) {
-  const diagramFrame = h("div", { class: "frame" });
-  const plotFrame = h("div", { class: "frame" });
+  const diagramFrame = h("div.frame");
+  const plotFrame = h("div.frame");
   const split = createSplit();
-  const ray = h(
-    "div",
-    { class: "stage-ray" },
-    h("div", { class: "diagram-host" }, diagramFrame),
-    split.element,
-  );
-  const key = h("p", { class: "stage-key" });
+  const ray = h("div.stage-ray", h("div.diagram-host", diagramFrame), split.element);
+  const key = h("p.stage-key");
   const tables = createDataTables("The curves as a table", {
     "Table of the curves": () => [plot.table()],
   });
-  const curves = h(
-    "div",
-    { class: "stage-curves" },
-    h("div", { class: "plot-host" }, plotFrame),
-    key,
-    tables.element,
-  );
-  const element = h("div", { class: "stage" }, ray, curves);
+  const curves = h("div.stage-curves", h("div.plot-host", plotFrame), key, tables.element);
+  const element = h("div.stage", ray, curves);
 
   let theta = 0;
   /** @type {{deg: number, label: string}[]} */

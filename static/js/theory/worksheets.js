@@ -103,7 +103,7 @@ const article = ({ title, level, about, tasks }) => html`<article class="sheet">
 </article>`;
 
 export function createWorksheets() {
-  const element = h("div", { class: "worksheets" });
+  const element = h("div.worksheets");
   render(
     html`<h2>Worksheets</h2>
       <p class="intro">Each link opens the page as the task wants it; every value on it can be read, copied and saved. Print this list, or send a single link.</p>

@@ -15,6 +15,7 @@ import { createSpectrum } from "../materials/spectrum.js";
 import { percent, plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { loadStyle } from "../page/style.js";
+import { createProblems } from "../page/trouble.js";
 
 export { queries, restCalls } from "../materials/queries.js";
 export const fields = materialFields;
@@ -63,10 +64,10 @@ export function createView({ element, views, catalog, actions, state, say, save 
   });
   const source = createSource(say);
   const rivals = createRivals((id) => pick(id, false));
-  const sheets = h("div", { class: "sheets" });
+  const sheets = h("div.sheets");
   const detail = h(
-    "div",
-    { class: "material", role: "region", "aria-label": "Material" },
+    "div.material",
+    { role: "region", "aria-label": "Material" },
     examples.element,
     head.element,
     numbers.element,
@@ -78,31 +79,29 @@ export function createView({ element, views, catalog, actions, state, say, save 
   const angles = createAngles(context);
   const colors = createColors(context);
   const map = createMap(context);
-  sheets.append(h("div", { class: "beside" }, rivals.element, source.element));
+  sheets.append(h("div.beside", rivals.element, source.element));
   /** By the name of the query. */
   const figures = { spectrum, angles, colors, map };
 
-  /** @type {Record<string, {title: string, lines: string[]} | undefined>} what went wrong, by the query's name */
-  const problems = {};
+  const problems = createProblems(["detail", "index", ...Object.keys(figures)]);
   /** @type {Record<string, any>} */
-  let before = {};
+  let latest = {};
   /** The answer of which what does not move was drawn. @type {unknown} */
   let drawn = null;
 
   function showProblems() {
-    numbers.problem(problems.detail);
-    spectrum.problem(problems.spectrum);
-    angles.problem(problems.angles);
-    colors.problem(problems.colors ?? problems.index);
-    map.problem(problems.map);
+    /** @param {string} name */
+    const of = (name) => problems.of(name, latest);
+    numbers.problem(of("detail"));
+    for (const [name, figure] of Object.entries(figures)) figure.problem(of(name));
+    if (!of("colors")) colors.problem(of("index"));
   }
 
   return {
     /** @param {State} state @param {Record<string, any>} answers */
     update(state, answers) {
       const now = shown(state, catalog);
-      for (const name of Object.keys(problems))
-        if (answers[name] !== before[name]) delete problems[name];
+      latest = answers;
       browser.update(now, answers.list);
       examples.update(now);
       numbers.choices(now);
@@ -126,7 +125,6 @@ export function createView({ element, views, catalog, actions, state, say, save 
         map.update(now, answers.map, at);
       }
       colors.update(now, answers);
-      before = answers;
       showProblems();
     },
 
@@ -140,11 +138,10 @@ export function createView({ element, views, catalog, actions, state, say, save 
 
     /** @param {string} name @param {{title: string, lines: string[]}} problem */
     problem(name, problem) {
-      if (name === "list") return false;
       if (name.startsWith("rival:")) return true;
-      problems[name] = problem;
+      const told = problems.add(name, problem, latest);
       showProblems();
-      return true;
+      return told;
     },
 
     theme() {

@@ -3,6 +3,7 @@
 import { createExamples } from "../controls/examples.js";
 import { createChoices, createRow } from "../controls/panel.js";
 import { plain, significant } from "../numbers/format.js";
+import { createChanged } from "../page/changed.js";
 import { h } from "../page/dom.js";
 import { copying } from "../page/exports.js";
 import { html, render } from "../page/lit.js";
@@ -69,7 +70,7 @@ export function createView(context) {
   let measured = null;
   /** @type {Difference | null} the last that was */
   let last = null;
-  const work = h("section", { class: "column picture", "aria-label": "Picture" });
+  const work = h("section.column.picture", { "aria-label": "Picture" });
   element.append(controls.element, work, takeaway.element);
 
   function draw() {
@@ -137,8 +138,7 @@ export function createView(context) {
     return (title ?? id) + by[now[`${side}_by`]];
   }
 
-  /** What the picture was last made of. @type {unknown[]} */
-  let made = [];
+  const changed = createChanged();
   let drawn = false;
 
   return {
@@ -146,9 +146,8 @@ export function createView(context) {
     update(now, answers, moving) {
       if (!moving) takeaway.update(answers);
       // Code and tables arrive later, and change nothing in the picture.
-      const parts = [now, moving, ...Object.keys(queries(now, catalog)).map((k) => answers[k])];
-      if (parts.length === made.length && parts.every((part, i) => part === made[i])) return;
-      made = parts;
+      const parts = Object.keys(queries(now, catalog)).map((name) => answers[name]);
+      if (!changed(now, moving, ...parts)) return;
       sides.take(answers);
       controls.update(now, { left: sides.reason(now, "left"), right: sides.reason(now, "right") });
       examples.update(now);

@@ -58,7 +58,7 @@ const MAKERS = {
 /** @param {ViewContext} context */
 export function createView(context) {
   const { element, state, actions } = context;
-  const place = h("div", { class: "theory-section" });
+  const place = h("div.theory-section");
   /** @type {Map<string, Section>} */
   const made = new Map();
   /** @type {Set<string>} */
