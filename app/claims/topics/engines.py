@@ -2,13 +2,8 @@
 
 from app.claims import sources
 from app.claims.claim import Claim, Figure, Part
+from app.claims.figures import error_of
 from app.claims.readings import share_at_most, value
-
-
-def _largest(name: str, says: str, interface: str, model: str) -> Figure:
-    return Figure(
-        name, says, f"/errors?{interface}&models={model}", value(f"errors[model={model}].max_abs")
-    )
 
 
 def _converted(name: str, says: str, query: str, form: str, number: str) -> Figure:
@@ -25,20 +20,20 @@ CLAIMS = (
         "alike",
         domain="from vacuum into water (1.333), ice (1.31), sapphire (1.77) and diamond (2.417)",
         figures=(
-            _largest(
+            error_of(
                 "ice", "largest error with F0 = 0.04, ice", "n_t=1.31", "schlick_four_percent"
             ),
-            _largest(
+            error_of(
                 "water", "largest error with F0 = 0.04, water", "n_t=1.333", "schlick_four_percent"
             ),
-            _largest("water_own", "largest error with water's own F0", "n_t=1.333", "schlick"),
-            _largest(
+            error_of("water_own", "largest error with water's own F0", "n_t=1.333", "schlick"),
+            error_of(
                 "sapphire",
                 "largest error with F0 = 0.04, sapphire",
                 "n_t=1.77",
                 "schlick_four_percent",
             ),
-            _largest(
+            error_of(
                 "diamond",
                 "largest error with F0 = 0.04, diamond",
                 "n_t=2.417",
@@ -177,8 +172,8 @@ CLAIMS = (
                 "/errors?n_i=1.333&n_t=1.52",
                 value("interface.F0"),
             ),
-            _largest("ice_error", "largest error of that F90, ice", "n_t=1.31", "schlick_f90_50"),
-            _largest(
+            error_of("ice_error", "largest error of that F90, ice", "n_t=1.31", "schlick_f90_50"),
+            error_of(
                 "thin_error", "largest error of that F90, n = 1.1", "n_t=1.1", "schlick_f90_50"
             ),
         ),
@@ -200,16 +195,16 @@ CLAIMS = (
         where="two Schlick equations, for metals",
         domain="F0 of n = 1.5 and of n = 0.27, k = 2.9, put in without decoding, 0 to 90 degrees",
         figures=(
-            _largest(
+            error_of(
                 "glass", "largest error with F0 taken as sRGB, glass", "n_t=1.5", "schlick_f0_srgb"
             ),
-            _largest(
+            error_of(
                 "metal",
                 "largest error with F0 taken as sRGB, metal",
                 "n_t=0.27&k_t=2.9",
                 "schlick_f0_srgb",
             ),
-            _largest("glass_right", "largest error of Schlick, glass", "n_t=1.5", "schlick"),
+            error_of("glass_right", "largest error of Schlick, glass", "n_t=1.5", "schlick"),
         ),
         parts=(
             Part(says="the wrong one is worse for glass", figure="glass", at_least="glass_right"),
@@ -226,13 +221,13 @@ CLAIMS = (
         where="FresnelSchlickTIR",
         domain="from n = 1.5 into vacuum, 0 to 90 degrees",
         figures=(
-            _largest(
+            error_of(
                 "wrong",
                 "largest error with the angle inside",
                 "n_i=1.5&n_t=1",
                 "schlick_wrong_angle",
             ),
-            _largest(
+            error_of(
                 "right", "largest error with the transmitted angle", "n_i=1.5&n_t=1", "schlick_tir"
             ),
         ),

@@ -2,6 +2,7 @@
 
 from app.claims import sources
 from app.claims.claim import Claim, Figure, Part
+from app.claims.figures import error_of
 from app.claims.readings import apart, spread, unity, value
 
 _FORMS = {
@@ -13,14 +14,6 @@ _FORMS = {
     "deon_pq": "d'Eon's p, q",
     "shirley_ab": "Shirley's a, b at k = 0",
 }
-
-
-def _of(model: str, metric: str) -> str:
-    return f"errors[model={model}].{metric}"
-
-
-def _largest(name: str, says: str, interface: str, model: str, metric: str = "max_abs") -> Figure:
-    return Figure(name, says, f"/errors?{interface}&models={model}", value(_of(model, metric)))
 
 
 CLAIMS = (
@@ -122,7 +115,7 @@ CLAIMS = (
         where="FresnelSchlickTIR",
         domain="from n = 1.33 into vacuum, 0 to 90 degrees",
         figures=(
-            _largest("largest", "largest error of Schlick", "n_i=1.33&n_t=1", "schlick"),
+            error_of("largest", "largest error of Schlick", "n_i=1.33&n_t=1", "schlick"),
             Figure(
                 "critical",
                 "critical angle",
@@ -146,9 +139,9 @@ CLAIMS = (
         where="FresnelSchlickTIR and its plot",
         domain="from n = 1.33 into vacuum, 0 to 90 degrees",
         figures=(
-            _largest("largest", "largest error", "n_i=1.33&n_t=1", "schlick_tir"),
-            _largest("rms", "root mean square error", "n_i=1.33&n_t=1", "schlick_tir", "rms"),
-            _largest("outside", "largest error of Schlick from outside", "n_t=1.33", "schlick"),
+            error_of("largest", "largest error", "n_i=1.33&n_t=1", "schlick_tir"),
+            error_of("rms", "root mean square error", "n_i=1.33&n_t=1", "schlick_tir", "rms"),
+            error_of("outside", "largest error of Schlick from outside", "n_t=1.33", "schlick"),
         ),
         parts=(
             Part(says="nearly merged in the mean: within 0.01", figure="rms", at_most=0.01),
@@ -259,7 +252,7 @@ CLAIMS = (
         domain="from vacuum into n = 1.5, 0 to 90 degrees, in double precision",
         figures=(
             *(
-                _largest(model, f"largest difference of {words}", "n_t=1.5", model)
+                error_of(model, f"largest difference of {words}", "n_t=1.5", model)
                 for model, words in _FORMS.items()
             ),
         ),

@@ -2,6 +2,7 @@
 
 from app.claims import sources
 from app.claims.claim import Claim, Figure, Part
+from app.claims.figures import error_of
 from app.claims.readings import (
     cosine,
     difference,
@@ -35,24 +36,15 @@ CLAIMS = (
         where="Dielectric-Conductor interface, approximation after Pharr and Humphreys",
         domain="from vacuum into n = 1.5, k = 0, 0 to 90 degrees",
         figures=(
-            Figure(
-                "largest",
-                "largest error",
-                _errors("n_t=1.5", "pharr_humphreys"),
-                value(_of("pharr_humphreys", "max_abs")),
-            ),
-            Figure(
+            error_of("largest", "largest error", "n_t=1.5", "pharr_humphreys"),
+            error_of(
                 "relative",
                 "largest error relative to R",
-                _errors("n_t=1.5", "pharr_humphreys"),
-                value(_of("pharr_humphreys", "max_relative")),
+                "n_t=1.5",
+                "pharr_humphreys",
+                "max_relative",
             ),
-            Figure(
-                "schlick",
-                "largest error of Schlick there",
-                _errors("n_t=1.5", "schlick"),
-                value(_of("schlick", "max_abs")),
-            ),
+            error_of("schlick", "largest error of Schlick there", "n_t=1.5", "schlick"),
         ),
         parts=(
             Part(says="not good: more than 0.05 off", figure="largest", at_least=0.05),
@@ -85,18 +77,8 @@ CLAIMS = (
                 f"{_AT_K}&minimum=2&maximum=5&steps=31",
                 largest("max_abs"),
             ),
-            Figure(
-                "half",
-                "largest error at k = 0.5",
-                _errors("n_t=1.5&k_t=0.5", "pharr_humphreys"),
-                value(_of("pharr_humphreys", "max_abs")),
-            ),
-            Figure(
-                "one",
-                "largest error at k = 1",
-                _errors("n_t=1.5&k_t=1", "pharr_humphreys"),
-                value(_of("pharr_humphreys", "max_abs")),
-            ),
+            error_of("half", "largest error at k = 0.5", "n_t=1.5&k_t=0.5", "pharr_humphreys"),
+            error_of("one", "largest error at k = 1", "n_t=1.5&k_t=1", "pharr_humphreys"),
         ),
         parts=(
             Part(says="great (within 0.02) from k = 2 on", figure="strong", at_most=0.02),
@@ -115,30 +97,10 @@ CLAIMS = (
         where="Additional approximate form",
         domain="from vacuum into n = 1.5, 0 to 90 degrees",
         figures=(
-            Figure(
-                "k05",
-                "largest error at k = 0.5",
-                _errors("n_t=1.5&k_t=0.5", "pharr_humphreys"),
-                value(_of("pharr_humphreys", "max_abs")),
-            ),
-            Figure(
-                "k2",
-                "largest error at k = 2",
-                _errors("n_t=1.5&k_t=2", "pharr_humphreys"),
-                value(_of("pharr_humphreys", "max_abs")),
-            ),
-            Figure(
-                "k3",
-                "largest error at k = 3",
-                _errors("n_t=1.5&k_t=3", "pharr_humphreys"),
-                value(_of("pharr_humphreys", "max_abs")),
-            ),
-            Figure(
-                "k5",
-                "largest error at k = 5",
-                _errors("n_t=1.5&k_t=5", "pharr_humphreys"),
-                value(_of("pharr_humphreys", "max_abs")),
-            ),
+            error_of("k05", "largest error at k = 0.5", "n_t=1.5&k_t=0.5", "pharr_humphreys"),
+            error_of("k2", "largest error at k = 2", "n_t=1.5&k_t=2", "pharr_humphreys"),
+            error_of("k3", "largest error at k = 3", "n_t=1.5&k_t=3", "pharr_humphreys"),
+            error_of("k5", "largest error at k = 5", "n_t=1.5&k_t=5", "pharr_humphreys"),
         ),
         parts=(
             Part(says="better at 2 than at 0.5", figure="k2", at_most="k05"),
@@ -158,18 +120,13 @@ CLAIMS = (
         where="Misunderstood form",
         domain="from vacuum into n = 1.5, k = 2, 0 to 90 degrees",
         figures=(
-            Figure(
+            error_of(
                 "wrong",
                 "largest error of the misunderstanding",
-                _errors("n_t=1.5&k_t=2", "complex_dielectric"),
-                value(_of("complex_dielectric", "max_abs")),
+                "n_t=1.5&k_t=2",
+                "complex_dielectric",
             ),
-            Figure(
-                "schlick",
-                "largest error of Schlick there",
-                _errors("n_t=1.5&k_t=2", "schlick"),
-                value(_of("schlick", "max_abs")),
-            ),
+            error_of("schlick", "largest error of Schlick there", "n_t=1.5&k_t=2", "schlick"),
         ),
         parts=(
             Part(says="worse than the cheapest approximation", figure="wrong", at_least="schlick"),
@@ -191,12 +148,13 @@ CLAIMS = (
                 _errors(_AUTHORS, "lazanyi2005"),
                 value("errors[model=lazanyi2005].parameters.alpha"),
             ),
-            Figure(
+            error_of(
                 "angle",
                 "angle where Schlick errs most",
-                _errors(_AUTHORS, "schlick"),
-                value(_of("schlick", "max_abs_at_deg")),
-                "deg",
+                _AUTHORS,
+                "schlick",
+                "max_abs_at_deg",
+                unit="deg",
             ),
         ),
         parts=(Part(says="7.7 to the digit printed", figure="alpha", at_least=7.65, at_most=7.75),),
@@ -211,29 +169,24 @@ CLAIMS = (
         where="Fresnel Schlick's approximation, metals, the last plot before total reflection",
         domain="from vacuum into n = 1.5, k = 5, 0 to 90 degrees",
         figures=(
-            Figure(
-                "schlick",
-                "largest error of Schlick",
-                _errors(_AUTHORS, "schlick"),
-                value(_of("schlick", "max_abs")),
-            ),
-            Figure(
+            error_of("schlick", "largest error of Schlick", _AUTHORS, "schlick"),
+            error_of(
                 "lazanyi",
                 "largest error with the compensation",
-                _errors(_AUTHORS, "lazanyi2005", "lazanyi2005.alpha=7.7"),
-                value(_of("lazanyi2005", "max_abs")),
+                _AUTHORS,
+                "lazanyi2005",
+                given="lazanyi2005.alpha=7.7",
             ),
-            Figure(
-                "schlick_rms",
-                "root mean square error of Schlick",
-                _errors(_AUTHORS, "schlick"),
-                value(_of("schlick", "rms")),
+            error_of(
+                "schlick_rms", "root mean square error of Schlick", _AUTHORS, "schlick", "rms"
             ),
-            Figure(
+            error_of(
                 "lazanyi_rms",
                 "root mean square error with the compensation",
-                _errors(_AUTHORS, "lazanyi2005", "lazanyi2005.alpha=7.7"),
-                value(_of("lazanyi2005", "rms")),
+                _AUTHORS,
+                "lazanyi2005",
+                "rms",
+                given="lazanyi2005.alpha=7.7",
             ),
         ),
         parts=(
@@ -298,11 +251,12 @@ CLAIMS = (
         domain="silver, gold, copper, aluminium, chromium and iron at 587.6 nm",
         figures=(
             *(
-                Figure(
+                error_of(
                     name,
                     f"error of Schlick's albedo, {name}",
-                    _errors(f"material={symbol}", "schlick"),
-                    value(_of("schlick", "albedo_error")),
+                    f"material={symbol}",
+                    "schlick",
+                    "albedo_error",
                 )
                 for name, symbol in (
                     ("silver", "Ag"),
@@ -313,12 +267,7 @@ CLAIMS = (
                     ("iron", "Fe"),
                 )
             ),
-            Figure(
-                "chromium_largest",
-                "largest error, chromium",
-                _errors("material=Cr", "schlick"),
-                value(_of("schlick", "max_abs")),
-            ),
+            error_of("chromium_largest", "largest error, chromium", "material=Cr", "schlick"),
         ),
         parts=tuple(
             Part(
@@ -342,11 +291,8 @@ CLAIMS = (
         where="Fresnel Schlick's approximation, specular color",
         domain="from vacuum into n = 1.5, k = 5, against a dielectric of the same F0",
         figures=(
-            Figure(
-                "apart",
-                "how far a dielectric of the same F0 is off",
-                _errors(_AUTHORS, "cook_torrance"),
-                value(_of("cook_torrance", "max_abs")),
+            error_of(
+                "apart", "how far a dielectric of the same F0 is off", _AUTHORS, "cook_torrance"
             ),
         ),
         parts=(
@@ -367,11 +313,11 @@ CLAIMS = (
             figure
             for nm in (400, 500, 600, 700, 800)
             for figure in (
-                Figure(
+                error_of(
                     f"error_{nm}",
                     f"largest error of Schlick at {nm} nm",
-                    _errors(f"material=Cu&wavelength_nm={nm}", "schlick"),
-                    value(_of("schlick", "max_abs")),
+                    f"material=Cu&wavelength_nm={nm}",
+                    "schlick",
                 ),
                 Figure(
                     f"F0_{nm}",
@@ -440,18 +386,8 @@ CLAIMS = (
                 "&x_steps=2&y=n_t&y_minimum=0.2&y_maximum=4&y_steps=39&k_t=3",
                 largest_modulus("values"),
             ),
-            Figure(
-                "largest",
-                "largest error between",
-                _errors("n_t=2.9&k_t=3", "f82_tint"),
-                value(_of("f82_tint", "max_abs")),
-            ),
-            Figure(
-                "schlick",
-                "largest error of Schlick",
-                _errors("n_t=2.9&k_t=3", "schlick"),
-                value(_of("schlick", "max_abs")),
-            ),
+            error_of("largest", "largest error between", "n_t=2.9&k_t=3", "f82_tint"),
+            error_of("schlick", "largest error of Schlick", "n_t=2.9&k_t=3", "schlick"),
         ),
         parts=(
             Part(says="through the exact value there", figure="there", at_most=1e-12),
@@ -474,11 +410,11 @@ CLAIMS = (
                 "/convert?from=nk&n_t=0.27&k_t=2.9",
                 value("results[form=rg].values.g"),
             ),
-            Figure(
+            error_of(
                 "again",
                 "error of the curve after there and back",
-                _errors("n_t=0.27&k_t=2.9", "gulbrandsen_rg"),
-                value(_of("gulbrandsen_rg", "max_abs")),
+                "n_t=0.27&k_t=2.9",
+                "gulbrandsen_rg",
             ),
         ),
         parts=(
