@@ -115,9 +115,7 @@ def color_curve(
     spectrum: Spectrum,
     incidence: Incidence,
     n_i: ArrayLike = 1.0,
-    illuminant: Illuminant = "D65",
-    observer: Observer = "cie1931_2deg",
-    adaptation: Adaptation = "bradford",
+    viewing: Viewing = DAYLIGHT,
 ) -> Array:
     """Linear sRGB of the light reflected at each angle, not clamped.
 
@@ -129,8 +127,8 @@ def color_curve(
         Directions, any shape.
     n_i
         Real index of the incident medium: one number, or one for each of the 471 wavelengths.
-    illuminant, observer, adaptation
-        As in `app.optics.color.srgb_weights`.
+    viewing
+        How the channels are made.
 
     Returns
     -------
@@ -139,7 +137,7 @@ def color_curve(
     """
     seen = spectrum.visible
     boundary = Interface(n_i, seen.n, seen.k)
-    weights = srgb_weights(illuminant, observer, adaptation)
+    weights = srgb_weights(*viewing)
     cos, sin = incidence.cos.reshape(-1, 1), incidence.sin.reshape(-1, 1)
     rows = [
         reflectance(boundary, Incidence(cos[at], sin[at])) @ weights
@@ -154,19 +152,17 @@ def color_curve(
 def appearance(
     spectrum: Spectrum,
     n_i: ArrayLike = 1.0,
-    illuminant: Illuminant = "D65",
-    observer: Observer = "cie1931_2deg",
-    adaptation: Adaptation = "bradford",
+    viewing: Viewing = DAYLIGHT,
 ) -> Appearance:
     """Colors that material models ask for; parameters as in `color_curve`."""
     seen = spectrum.visible
     boundary = Interface(n_i, seen.n, seen.k)
-    F0 = linear_srgb(boundary.F0, illuminant, observer, adaptation)
-    at_82 = linear_srgb(F82(boundary), illuminant, observer, adaptation)
+    F0 = linear_srgb(boundary.F0, *viewing)
+    at_82 = linear_srgb(F82(boundary), *viewing)
     return Appearance(
         F0=F0,
         F82=at_82,
-        luminance=float(luminance(boundary.F0, illuminant, observer)),
+        luminance=float(luminance(boundary.F0, *viewing[:2])),
         warnings=seen.warnings,
     )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.materials.appearance import appearance, averaged_interface, color_curve, interface
+from app.materials.appearance import Viewing, appearance, averaged_interface, color_curve, interface
 from app.materials.catalog import Catalog
 from app.materials.errors import WavelengthOutOfRange
 from app.optics.color import WAVELENGTH_NM, luminance
@@ -66,9 +66,9 @@ def test_incident_media_darken(catalog: Catalog) -> None:
 
 def test_adapted_illuminants_agree_and_others_do_not(catalog: Catalog) -> None:
     silver = catalog.spectrum("Ag")
-    day, equal = appearance(silver), appearance(silver, illuminant="E")
+    day, equal = appearance(silver), appearance(silver, viewing=Viewing("E"))
     np.testing.assert_allclose(equal.F0, day.F0, rtol=0, atol=2e-3)
-    raw = appearance(silver, illuminant="E", adaptation="none")
+    raw = appearance(silver, viewing=Viewing("E", adaptation="none"))
     assert raw.F0[0] - day.F0[0] == pytest.approx(0.20, abs=0.01)
 
 

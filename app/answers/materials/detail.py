@@ -163,13 +163,13 @@ def detail(
 def _appearance(preset: Preset, viewing: Viewing) -> Appearance:
     """Colors of a preset; a single index reflects all wavelengths alike."""
     if preset.kind == "spectrum":
-        return appearance(default_catalog().spectrum(preset.id), 1.0, *viewing)
+        return appearance(default_catalog().spectrum(preset.id), 1.0, viewing)
     boundary = Interface(1.0, preset.n, preset.k or 0.0)
     F0, at_82 = (np.full(WAVELENGTH_NM.size, float(R)) for R in (boundary.F0, F82(boundary)))
     return Appearance(
         F0=linear_srgb(F0, *viewing),
         F82=linear_srgb(at_82, *viewing),
-        luminance=float(luminance(F0, viewing.illuminant, viewing.observer)),
+        luminance=float(luminance(F0, *viewing[:2])),
         warnings=(),
     )
 

@@ -113,8 +113,8 @@ def rgb_curves(
     """
     nodes = _nodes()
     at_nodes = Incidence.from_cosine(nodes.mu)
-    truth_at_nodes = color_curve(spectrum, at_nodes, n_i, *viewing).T
-    color = appearance(spectrum, n_i, *viewing)
+    truth_at_nodes = color_curve(spectrum, at_nodes, n_i, viewing).T
+    color = appearance(spectrum, n_i, viewing)
     F0, F82 = apply_gamut(color.F0, gamut), apply_gamut(color.F82, gamut)
     colors = {"F0": F0, "F82": F82, "tint": tint_at_82(F0, F82)}
     averaged = averaged_interface(spectrum, n_i, viewing)
@@ -123,7 +123,7 @@ def rgb_curves(
             model="spectral",
             title="Spectrum, integrated at every angle",
             inputs={"F0": color.F0, "F82": color.F82},
-            **_channels(color_curve(spectrum, incidence, n_i, *viewing).T),
+            **_channels(color_curve(spectrum, incidence, n_i, viewing).T),
             errors=None,
         )
     ]
