@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from app.answers.answer import answer, number_or_none
+from app.answers.answer import answer, filled, number_or_none
 from app.materials.media import Resolved
 from app.optics.angles import LANDMARKS
 from app.optics.interface import Interface, Kind
@@ -60,15 +60,12 @@ class ResolvedPreset:
         if resolved is None:
             return None
         preset, constants = resolved.preset, resolved.constants
-        return cls(
-            id=preset.id,
-            name=preset.name,
+        return filled(
+            cls,
+            preset,
             wavelength_nm=constants.wavelength_nm,
             n=constants.n,
             k=constants.k,
-            sample=preset.sample,
-            confidence=preset.confidence,
-            source=preset.source,
             doi=list(preset.doi),
             warnings=list(resolved.warnings),
         )
