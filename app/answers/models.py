@@ -19,6 +19,8 @@ class RegisteredModel:
     """Whether the model is kept to show a mistake."""
     applies_to: tuple[Kind, ...]
     parameters: tuple[Parameter, ...]
+    takes_color: bool
+    """Whether a material's color, F0 with F82 or a tint, is all that it has to be given."""
     latex: str
     reference: str
     validity: str
@@ -39,6 +41,7 @@ class RegisteredModel:
             trap=model.trap,
             applies_to=model.applies_to,
             parameters=model.parameters,
+            takes_color=model.takes_color,
             latex=model.latex,
             reference=model.reference,
             validity=model.validity,

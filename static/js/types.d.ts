@@ -22,6 +22,7 @@ interface Model {
   kind: string;
   applies_to: string[];
   parameters: Parameter[];
+  takes_color?: boolean;
   latex: string;
   reference: string;
   validity: string;

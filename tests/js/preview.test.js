@@ -145,7 +145,7 @@ const catalog = {
   ],
   models: [
     { id: "exact", parameters: [] },
-    { id: "schlick", parameters: [{ name: "F0", default: null }] },
+    { id: "schlick", parameters: [{ name: "F0", default: null }], takes_color: true },
     { id: "pharr_humphreys", parameters: [] },
   ],
   materials: [

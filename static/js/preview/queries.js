@@ -17,8 +17,6 @@ const FINE = ["samples=721", "digits=7"];
 /** Wavelengths that stand for R, G and B where a model takes an index and no color. */
 const CHANNEL_NM = { red: 630, green: 532, blue: 465 };
 const WATER = 1.333;
-/** Parameters that a color gives. */
-const COLORS = ["F0", "F82", "tint"];
 
 /** The material whose colors can be shown, if there is one. @param {State} state @param {Catalog} catalog */
 export function coloredMaterial({ material, wavelength_nm, incident }, { materials }) {
@@ -34,12 +32,10 @@ export function coloredMaterial({ material, wavelength_nm, incident }, { materia
 function takesColor(state, { models }, id) {
   if (id === "exact") return true;
   const model = models.find((m) => m.id === id);
-  const solved = (model?.parameters ?? []).filter((p) => p.default === null);
+  const own = model?.parameters ?? [];
   return (
-    model !== undefined &&
-    solved.some((p) => p.name === "F0") &&
-    solved.every((p) => COLORS.includes(p.name)) &&
-    model.parameters.every((p) => (state[stateName(model, p)] ?? null) === p.default)
+    model?.takes_color === true &&
+    own.every((p) => (state[stateName(model, p)] ?? null) === p.default)
   );
 }
 
