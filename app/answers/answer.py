@@ -64,18 +64,12 @@ Rows = Annotated[Array, SentAs(list[list[float | None]])]
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """An answer in columns, for CSV.
-
-    Attributes
-    ----------
-    columns
-        What stands below each header: arrays of numbers, or lists of words and numbers.
-    filename
-        Name for the file.
-    """
+    """An answer in columns, for CSV."""
 
     columns: Mapping[str, Array | Sequence[Any]]
+    """What stands below each header: arrays of numbers, or lists of words and numbers."""
     filename: str = "fresnel.csv"
+    """Name for the file."""
 
 
 ChosenFields = Annotated[

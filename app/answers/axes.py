@@ -93,19 +93,13 @@ class Axis:
 
 @dataclass(frozen=True)
 class Grid:
-    """Points of which one thing varies along a row, and maybe another from row to row.
-
-    Attributes
-    ----------
-    fixed
-        The interface whose other indices hold.
-    x, y
-        What varies.
-    """
+    """Points of which one thing varies along a row, and maybe another from row to row."""
 
     fixed: Interface
+    """The interface whose other indices hold."""
     x: Axis
     y: Axis | None = None
+    """What varies."""
 
     @cached_property
     def varied(self) -> dict[str, Array]:

@@ -126,23 +126,16 @@ class LookupErrors:
 
 @dataclass(frozen=True)
 class Tabulated:
-    """A function that a table is made of.
-
-    Attributes
-    ----------
-    fixed
-        The interface, or that whose other indices hold.
-    axes
-        One or two; the innermost first.
-    function
-        Coordinates of any shape, an argument each axis, to values with channels as a last axis.
-    """
+    """A function that a table is made of."""
 
     model: str
     quantity: str
     fixed: Interface
+    """The interface, or that whose other indices hold."""
     axes: tuple[TableAxis, ...]
+    """One or two; the innermost first."""
     function: Callable[..., Array]
+    """Coordinates of any shape, an argument each axis, to values with channels as a last axis."""
     warnings: tuple[str, ...] = ()
 
     def values(self) -> Array:

@@ -93,24 +93,16 @@ class FigureKindsOut(BaseModel):
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """A figure that can be asked for.
-
-    Attributes
-    ----------
-    name
-        In the address, and of the function in `app.figures.draw`.
-    title
-        What it shows.
-    of
-        Path of the route whose answer is drawn and whose parameters are taken.
-    more
-        Parameters besides.
-    """
+    """A figure that can be asked for."""
 
     name: str
+    """In the address, and of the function in `app.figures.draw`."""
     title: str
+    """What it shows."""
     of: str
+    """Path of the route whose answer is drawn and whose parameters are taken."""
     more: tuple[type[QueryModel], ...] = ()
+    """Parameters besides."""
 
 
 KINDS = (

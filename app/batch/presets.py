@@ -26,18 +26,12 @@ from app.optics.parameters import K_T, N_I, N_T, WAVELENGTH_NM, Array
 
 
 class _Side(NamedTuple):
-    """A column that names presets.
-
-    Attributes
-    ----------
-    numbers
-        What a preset stands for.
-    is_transparent
-        Whether only what does not absorb may.
-    """
+    """A column that names presets."""
 
     numbers: tuple[str, ...]
+    """What a preset stands for."""
     is_transparent: bool
+    """Whether only what does not absorb may."""
 
 
 _SIDES = {

@@ -46,24 +46,17 @@ class Fault(NamedTuple):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rows:
-    """Questions in columns.
-
-    Attributes
-    ----------
-    count
-        How many.
-    numbers
-        Columns by the parameters' names, a model's own as `<model>.<parameter>`; NaN where left out.
-    names
-        Those of `NAMES` that are there.
-    faults
-        What is known to be wrong with a row before it is looked at.
-    """
+    """Questions in columns."""
 
     count: int
+    """How many."""
     numbers: Mapping[str, Array]
+    """Columns by the parameters' names, a model's own as `<model>.<parameter>`; NaN where left
+    out."""
     names: Mapping[str, Names]
+    """Those of `NAMES` that are there."""
     faults: Mapping[int, Fault] = field(default_factory=dict)
+    """What is known to be wrong with a row before it is looked at."""
 
 
 def number_columns(registry: Registry) -> dict[str, Parameter]:

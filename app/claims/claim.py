@@ -23,65 +23,43 @@ class UnknownExample(UnknownName):
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """Where a claim stands.
-
-    Attributes
-    ----------
-    author, year, title
-        Of the publication or the program.
-    url
-        Where it can be read.
-    """
+    """Where a claim stands."""
 
     author: str
     year: int
     title: str
+    """Title of the publication or the program."""
     url: str
+    """Where it can be read."""
 
 
 @dataclass(frozen=True, slots=True)
 class Figure:
-    """One number, measured by one request.
-
-    Attributes
-    ----------
-    name
-        Its name within the claim, which `Claim.found` and `Part` use.
-    says
-        What the number is, and over which domain.
-    request
-        Path and query below /api/v1 whose answer holds it.
-    reading
-        Which number of the answer it is.
-    unit
-        `deg`, `nm` or empty.
-    """
+    """One number, measured by one request."""
 
     name: str
+    """Its name within the claim, which `Claim.found` and `Part` use."""
     says: str
+    """What the number is, and over which domain."""
     request: str
+    """Path and query below /api/v1 whose answer holds it."""
     reading: Reading
+    """Which number of the answer it is."""
     unit: str = ""
+    """`deg`, `nm` or empty."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Part:
-    """One thing that has to be so for the claim to hold.
-
-    Attributes
-    ----------
-    says
-        The claim as a condition, with what is counted as "good" where the source gives no number.
-    figure
-        Name of the figure that it is about.
-    at_least, at_most
-        Bounds, each a number or the name of another figure.
-    """
+    """One thing that has to be so for the claim to hold."""
 
     says: str
+    """The claim as a condition, with what is counted as "good" where the source gives no number."""
     figure: str
+    """Name of the figure that it is about."""
     at_least: float | str | None = None
     at_most: float | str | None = None
+    """Bounds, each a number or the name of another figure."""
 
     def holds(self, values: Mapping[str, float]) -> bool:
         """Whether the figures measured fulfil it."""
@@ -95,40 +73,27 @@ class Part:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Claim:
-    """One claim of a source.
-
-    Attributes
-    ----------
-    id, title
-        Name in the API (lower case, hyphens) and name on the page.
-    claimed
-        What the source says, in our words.
-    source
-        Where it says so.
-    where
-        Section, equation or file of the source.
-    domain
-        Interfaces and angles it is measured over.
-    figures
-        The numbers that it is judged by, and those that put them into place.
-    parts
-        What has to be so; without any, the source gives nothing that could fail.
-    found
-        What the figures say, in words; `{name}` and `{name:.1%}` stand for the figures.
-    example
-        Id of the page's named example in Compare that shows it.
-    """
+    """One claim of a source."""
 
     id: str
     title: str
+    """Name in the API (lower case, hyphens) and name on the page."""
     claimed: str
+    """What the source says, in our words."""
     source: Source
+    """Where it says so."""
     where: str
+    """Section, equation or file of the source."""
     domain: str
+    """Interfaces and angles it is measured over."""
     figures: tuple[Figure, ...]
+    """The numbers that it is judged by, and those that put them into place."""
     parts: tuple[Part, ...]
+    """What has to be so; without any, the source gives nothing that could fail."""
     found: str
+    """What the figures say, in words; `{name}` and `{name:.1%}` stand for the figures."""
     example: str | None = None
+    """Id of the page's named example in Compare that shows it."""
 
     def __post_init__(self) -> None:
         """Refuse figures of one name, and parts and words about none."""

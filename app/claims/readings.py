@@ -12,18 +12,12 @@ import numpy as np
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """How a number is taken out of an answer.
-
-    Attributes
-    ----------
-    words
-        The rule, as a path into the JSON with functions around it.
-    read
-        The rule as a function of the answer.
-    """
+    """How a number is taken out of an answer."""
 
     words: str
+    """The rule, as a path into the JSON with functions around it."""
     read: Callable[[Any], float]
+    """The rule as a function of the answer."""
 
 
 def value(path: str) -> Reading:

@@ -34,30 +34,20 @@ _PICTURES = ("html", "json", "svg", "png", "pdf")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Command:
-    """A command and the route that it asks.
-
-    Attributes
-    ----------
-    name
-        As typed.
-    route
-        Path below /api/v1; a part in braces is the command's argument.
-    help
-        What it does, and an example.
-    sheets
-        The answer as tables.
-    figure
-        Name of the figure that --plot, --open and --save draw, if any.
-    in_table
-        Parameters that tables take unless they are given.
-    """
+    """A command and the route that it asks."""
 
     name: str
+    """As typed."""
     route: str
+    """Path below /api/v1; a part in braces is the command's argument."""
     help: str
+    """What it does, and an example."""
     sheets: Sheets
+    """The answer as tables."""
     figure: str | None = None
+    """Name of the figure that --plot, --open and --save draw, if any."""
     in_table: Mapping[str, str] = field(default_factory=dict)
+    """Parameters that tables take unless they are given."""
 
     @property
     def argument(self) -> str | None:

@@ -22,24 +22,16 @@ _DASHES = {"Rs": "solid", "Rp": "dash", "T": "dot"}
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """What a figure is drawn from, beside the answer.
-
-    Attributes
-    ----------
-    ask
-        Answer of another route by its path and query.
-    query
-        The query, with its defaults.
-    look
-        Colors and type.
-    titles
-        Titles of the models by id.
-    """
+    """What a figure is drawn from, beside the answer."""
 
     ask: Callable[[str], Any]
+    """Answer of another route by its path and query."""
     query: Any
+    """The query, with its defaults."""
     look: Look
+    """Colors and type."""
     titles: Mapping[str, str]
+    """Titles of the models by id."""
 
 
 def media(interface: Mapping[str, Any]) -> str:

@@ -73,28 +73,19 @@ def model_look(ids: Sequence[str], model_id: str) -> tuple[str, str]:
 
 @dataclass(frozen=True, slots=True)
 class Look:
-    """Colors, type and size of one figure.
-
-    Attributes
-    ----------
-    colors
-        Custom properties of the theme by name.
-    models
-        Ids of all models, which give each its color and dash.
-    ground
-        Behind the plot.
-    font_px
-        Size of the text.
-    width, height
-        In px; None to fill what is there.
-    """
+    """Colors, type and size of one figure."""
 
     colors: Mapping[str, str]
+    """Custom properties of the theme by name."""
     models: Sequence[str]
+    """Ids of all models, which give each its color and dash."""
     ground: Ground = "paper"
+    """Behind the plot."""
     font_px: float = 14.0
+    """Size of the text."""
     width: int | None = None
     height: int | None = None
+    """In px; None to fill what is there."""
 
     def line(self, model_id: str, width: float = 2.0) -> dict[str, Any]:
         """Line of a model; the exact one is the heaviest."""

@@ -46,22 +46,15 @@ DAYLIGHT = Viewing()
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Appearance:
-    """Color of the reflected light in linear sRGB, not clamped.
-
-    Attributes
-    ----------
-    F0, F82
-        At normal incidence and at cos(theta_i) = 1/7, each the integral of the exact spectrum.
-    luminance
-        Luminous reflectance Y at normal incidence.
-    warnings
-        Where the spectrum does not cover the visible, and whether k is not known.
-    """
+    """Color of the reflected light in linear sRGB, not clamped."""
 
     F0: Array
     F82: Array
+    """At normal incidence and at cos(theta_i) = 1/7, each the integral of the exact spectrum."""
     luminance: float
+    """Luminous reflectance Y at normal incidence."""
     warnings: tuple[str, ...]
+    """Where the spectrum does not cover the visible, and whether k is not known."""
 
     @property
     def F82_tint(self) -> Array:

@@ -14,21 +14,14 @@ from app.optics.parameters import Array
 
 @dataclass(frozen=True, slots=True)
 class Front:
-    """A medium in front: a number, or a preset whose index varies.
-
-    Attributes
-    ----------
-    n_i
-        The index, at the reference wavelength of a preset.
-    preset
-        The preset that it comes from.
-    spectrum
-        Its constants, where they vary.
-    """
+    """A medium in front: a number, or a preset whose index varies."""
 
     n_i: float
+    """The index, at the reference wavelength of a preset."""
     preset: Preset | None = None
+    """The preset that it comes from."""
     spectrum: Spectrum | None = None
+    """Its constants, where they vary."""
 
     @classmethod
     def named(cls, name: str) -> Front:

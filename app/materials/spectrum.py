@@ -26,19 +26,13 @@ FORMULA_POINTS = 241
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Visible:
-    """n and k at `app.optics.color.WAVELENGTH_NM`, for color alone.
-
-    Attributes
-    ----------
-    n, k
-        Shape (471,). Where the range ends within the visible, the end value is held.
-    warnings
-        What was held, and whether k is not known and counts as 0.
-    """
+    """n and k at `app.optics.color.WAVELENGTH_NM`, for color alone."""
 
     n: Array
     k: Array
+    """Shape (471,). Where the range ends within the visible, the end value is held."""
     warnings: tuple[str, ...]
+    """What was held, and whether k is not known and counts as 0."""
 
 
 class Spectrum:

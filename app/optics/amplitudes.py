@@ -54,23 +54,16 @@ _SMALLEST, _SMALLEST_DEN = 1e-300, 1e-150
 
 
 class Wave(NamedTuple):
-    """Normal component q = a + i b of the second medium's wave vector, in units of n_i k_0.
-
-    Attributes
-    ----------
-    a, b
-        Real and imaginary part; b > 0 in absorbers and beyond the critical angle, where a is 0
-        without absorption.
-    abs2
-        a^2 + b^2.
-    stands
-        Where a is 0 and b is not, so that nothing travels on.
-    """
+    """Normal component q = a + i b of the second medium's wave vector, in units of n_i k_0."""
 
     a: Number
     b: Number
+    """Real and imaginary part; b > 0 in absorbers and beyond the critical angle, where a is 0
+    without absorption."""
     abs2: Number
+    """a^2 + b^2."""
     stands: Condition
+    """Where a is 0 and b is not, so that nothing travels on."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -232,35 +225,24 @@ def reflectance(interface: Interface, incidence: Incidence) -> Array:
 
 
 class _Terms(NamedTuple):
-    """What the powers have in common.
-
-    Attributes
-    ----------
-    q
-        Normal component in the second medium.
-    contrast
-        |N^2 - 1|^2.
-    none
-        Where it is 0: without a boundary.
-    den_s
-        |c + q|^2, multiplied out into a sum in which nothing cancels.
-    even, odd
-        |c q|^2 + s^4 and 2 c s^2 Re q, whose difference is |c q - s^2|^2.
-    den_p
-        Their sum, |c q + s^2|^2.
-    total
-        Where all is reflected, to the last bit: at 90 degrees and beyond the critical angle, but not
-        without a boundary.
-    """
+    """What the powers have in common."""
 
     q: Wave
+    """Normal component in the second medium."""
     contrast: Number
+    """|N^2 - 1|^2."""
     none: Condition
+    """Where it is 0: without a boundary."""
     den_s: Number
+    """|c + q|^2, multiplied out into a sum in which nothing cancels."""
     even: Number
     odd: Number
+    """|c q|^2 + s^4 and 2 c s^2 Re q, whose difference is |c q - s^2|^2."""
     den_p: Number
+    """Their sum, |c q + s^2|^2."""
     total: Condition
+    """Where all is reflected, to the last bit: at 90 degrees and beyond the critical angle, but not
+    without a boundary."""
 
 
 def _terms(interface: Interface, incidence: Incidence) -> _Terms:

@@ -94,22 +94,15 @@ TITLES = {
 
 @dataclass(frozen=True, slots=True)
 class Conversion:
-    """One form of what was given.
-
-    Attributes
-    ----------
-    form
-        Key of `TITLES`.
-    values
-        Its numbers by name; None for those that do not exist.
-    status, why
-        See the module; `why` is a sentence for people.
-    """
+    """One form of what was given."""
 
     form: str
+    """Key of `TITLES`."""
     values: Mapping[str, Value]
+    """Its numbers by name; None for those that do not exist."""
     status: Status
     why: str
+    """See the module; `why` is a sentence for people."""
 
     @property
     def title(self) -> str:
@@ -119,22 +112,15 @@ class Conversion:
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """What a form says of the interface.
-
-    Attributes
-    ----------
-    n_i
-        Index of the medium in front.
-    F0
-        Reflectance at normal incidence.
-    eta, kappa
-        Relative index; None where F0 is all that is known.
-    """
+    """What a form says of the interface."""
 
     n_i: float
+    """Index of the medium in front."""
     F0: float
+    """Reflectance at normal incidence."""
     eta: float | None = None
     kappa: float | None = None
+    """Relative index; None where F0 is all that is known."""
 
     @property
     def has_index(self) -> bool:

@@ -20,15 +20,11 @@ class Incidence:
 
     Near 90 degrees the cosine and near 0 the sine would be lost if one were computed from the
     other or from a rounded angle in radians. At exactly 0 and 90 degrees both are exact.
-
-    Attributes
-    ----------
-    cos, sin
-        Cosine and sine of theta_i, float64 arrays of the same shape, within 0 and 1.
     """
 
     cos: Array
     sin: Array
+    """Cosine and sine of theta_i, float64 arrays of the same shape, within 0 and 1."""
     _degrees: Array | None = None
 
     @classmethod

@@ -66,29 +66,20 @@ _CACHE_SIZE = 1 << 14  # values a block holds at once, so that its temporaries s
 
 @dataclass(frozen=True, slots=True)
 class Quality:
-    """How fine to look.
-
-    Attributes
-    ----------
-    rule
-        Quadrature in each interval.
-    kinked_rule
-        Quadrature between two kinks of a model that has them.
-    gentle_rule
-        Quadrature in one interval where the exact curve bends gently, with nodes so good that the
-        polynomial through them has the largest error too; None to split everywhere.
-    points, rounds
-        How the largest error is sought, see `app.optics.peaks.largest`.
-    reference
-        The exact R; where it is small and relative errors are wanted, `exact` takes its place.
-    """
+    """How fine to look."""
 
     rule: Rule
+    """Quadrature in each interval."""
     kinked_rule: Rule
+    """Quadrature between two kinks of a model that has them."""
     gentle_rule: Rule | None
+    """Quadrature in one interval where the exact curve bends gently, with nodes so good that the
+    polynomial through them has the largest error too; None to split everywhere."""
     points: int
     rounds: int
+    """How the largest error is sought, see `app.optics.numerics.peaks.largest`."""
     reference: Callable[[Interface, Incidence], Array]
+    """The exact R; where it is small and relative errors are wanted, `exact` takes its place."""
 
 
 PRECISE = Quality(double_exponential(), crowded_gauss_legendre(20), None, 15, 5, reflectance)

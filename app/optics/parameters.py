@@ -23,42 +23,29 @@ Condition = bool | NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """A number that users may set.
-
-    Attributes
-    ----------
-    name
-        Spelling in Python, JSON, URL and JavaScript.
-    symbol
-        LaTeX of the symbol.
-    default
-        Value used when none is given; None where it is solved from the interface.
-    minimum, maximum
-        Inclusive bounds.
-    unit
-        Unit, empty for pure numbers.
-    description
-        One sentence for API docs and labels on the page.
-    integer
-        Whether only whole numbers make sense.
-    choices
-        The only values there are, each a name and its number; empty where all within bounds are.
-        The name may be given in place of the number.
-    triple
-        Whether R, G and B may differ: three numbers give three curves. The core broadcasts, so
-        three values of shape (3, 1) and angles of shape (n,) give R of shape (3, n).
-    """
+    """A number that users may set."""
 
     name: str
+    """Spelling in Python, JSON, URL and JavaScript."""
     symbol: str
+    """LaTeX of the symbol."""
     default: float | None
+    """Value used when none is given; None where it is solved from the interface."""
     minimum: float
     maximum: float
+    """Inclusive bounds."""
     unit: str
+    """Unit, empty for pure numbers."""
     description: str
+    """One sentence for API docs and labels on the page."""
     integer: bool = False
+    """Whether only whole numbers make sense."""
     choices: tuple[tuple[str, float], ...] = ()
+    """The only values there are, each a name and its number; empty where all within bounds are. The
+    name may be given in place of the number."""
     triple: bool = False
+    """Whether R, G and B may differ: three numbers give three curves. The core broadcasts, so three
+    values of shape (3, 1) and angles of shape (n,) give R of shape (3, n)."""
 
     @property
     def allowed(self) -> str:

@@ -43,26 +43,18 @@ class Cost:
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """Error of an approximation at one interface, to the digits that a test measures again.
-
-    Attributes
-    ----------
-    n_i, n_t, k_t
-        The interface.
-    max_abs
-        Largest |R - exact| over the hemisphere.
-    at_deg
-        Angle where it is reached, in degrees.
-    rms
-        Root mean square of R - exact over the solid angle.
-    """
+    """Error of an approximation at one interface, to the digits that a test measures again."""
 
     n_i: float
     n_t: float
     k_t: float
+    """The interface."""
     max_abs: float
+    """Largest |R - exact| over the hemisphere."""
     at_deg: float
+    """Angle where it is reached, in degrees."""
     rms: float
+    """Root mean square of R - exact over the solid angle."""
 
     @property
     def media(self) -> tuple[float, float, float]:
@@ -80,67 +72,50 @@ class Model:
 
     Everything a user meets of a model stands here: routes, OpenAPI, the controls on the page, the
     overlay, the README's table and the contract tests are made from this object.
-
-    Attributes
-    ----------
-    id, title
-        Name in the API (lower case, underscores) and name on the page.
-    applies_to
-        Kinds of interface the formula was made for, both unless given.
-    latex
-        The formula, in KaTeX's subset of LaTeX.
-    reference
-        Author, title, year, equation number, and where to read it: `doi:10...` or `https://...`.
-    validity
-        Where the formula holds and where it fails, in words.
-    trap
-        Whether it is kept to show a mistake; its title ends in "(trap)".
-    cost
-        Operations of one evaluation.
-    function
-        `function(interface, incidence, **parameters) -> R`, broadcasting its arguments; NaN where
-        the formula is undefined.
-    parameters
-        The model's own parameters, passed to `function` by name.
-    solve
-        `solve(interface, **parameters)` returns values for those parameters that are None, worked
-        out from the interface; other entries are ignored.
-    limits
-        Returns why an interface lies outside the domain, or None inside; asked after `applies_to`.
-    kinks
-        `kinks(**parameters)` returns the cosines where the function is not smooth for reasons of
-        its own, as at the texels of a table, so that integrals can be split there.
-    measured
-        Errors of an approximation at representative interfaces, each of which a test measures again.
-    snippet
-        What is handed out as shader code: `function` itself unless given; another function of mu and
-        quantities of the interface, equal to it but fit for 32 bit floats and real arithmetic; or
-        in words why there is none.
-    rounding
-        Of an exact form, which differs from the others by rounding alone: the largest errors
-        relative to R at the whole degrees from 0 to 89 at each of `ROUNDED_AT`, rounded up to a
-        power of ten, which a test measures against 50-digit arithmetic.
-    symbols
-        Letters of `latex` that neither the common glossary nor the parameters explain.
     """
 
     id: str
     title: str
+    """Name in the API (lower case, underscores) and name on the page."""
     latex: str
+    """The formula, in KaTeX's subset of LaTeX."""
     reference: str
+    """Author, title, year, equation number, and where to read it: `doi:10...` or `https://...`."""
     validity: str
+    """Where the formula holds and where it fails, in words."""
     cost: Cost
+    """Operations of one evaluation."""
     function: Callable[..., Array]
+    """`function(interface, incidence, **parameters) -> R`, broadcasting its arguments; NaN where
+    the formula is undefined."""
     applies_to: tuple[Kind, ...] = ("dielectric", "conductor")
+    """Kinds of interface the formula was made for, both unless given."""
     parameters: tuple[Parameter, ...] = ()
+    """The model's own parameters, passed to `function` by name."""
     solve: Callable[..., Mapping[str, Array]] | None = None
+    """`solve(interface, **parameters)` returns values for those parameters that are None, worked
+    out from the interface; other entries are ignored."""
     limits: Callable[[Interface], str | None] = field(default=lambda _: None)
+    """Returns why an interface lies outside the domain, or None inside; asked after
+    `applies_to`."""
     kinks: Callable[..., Array] | None = None
+    """`kinks(**parameters)` returns the cosines where the function is not smooth for reasons of its
+    own, as at the texels of a table, so that integrals can be split there."""
     trap: bool = False
+    """Whether it is kept to show a mistake; its title ends in "(trap)"."""
     measured: tuple[Measured, ...] = ()
+    """Errors of an approximation at representative interfaces, each of which a test measures
+    again."""
     snippet: Callable[..., Array] | str | None = None
+    """What is handed out as shader code: `function` itself unless given; another function of mu and
+    quantities of the interface, equal to it but fit for 32 bit floats and real arithmetic; or in
+    words why there is none."""
     rounding: tuple[float, float] | None = None
+    """Of an exact form, which differs from the others by rounding alone: the largest errors
+    relative to R at the whole degrees from 0 to 89 at each of `ROUNDED_AT`, rounded up to a
+    power of ten, which a test measures against 50-digit arithmetic."""
     symbols: tuple[Symbol, ...] = ()
+    """Letters of `latex` that neither the common glossary nor the parameters explain."""
 
     def __post_init__(self) -> None:
         """Refuse a parameter without a default that nothing solves."""

@@ -78,18 +78,12 @@ def reflect(incident: ArrayLike, normal: ArrayLike) -> Array:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Refraction:
-    """Refracted directions, and where there is one at all.
-
-    Attributes
-    ----------
-    direction
-        Unit vectors; zero where `exists` is false.
-    exists
-        False beyond the critical angle.
-    """
+    """Refracted directions, and where there is one at all."""
 
     direction: Array
+    """Unit vectors; zero where `exists` is false."""
     exists: NDArray[np.bool_]
+    """False beyond the critical angle."""
 
 
 def refract(incident: ArrayLike, normal: ArrayLike, n_i: ArrayLike, n_t: ArrayLike) -> Refraction:

@@ -36,40 +36,28 @@ _COMPARISONS: dict[type[ast.cmpop], str] = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Language:
-    """A shading language with C's syntax, and what the others change of it.
-
-    Attributes
-    ----------
-    id, title
-        Name in the API and on the page.
-    checked
-        'run' where our tests run every snippet and compare its numbers with Python's, 'untested'
-        where nothing here can compile it.
-    checked_by
-        What runs it, or why nothing does.
-    comment
-        What starts a comment.
-    real, truth, color
-        Names of the types of a real number, a condition and a color.
-    constant
-        What stands before the type of a constant.
-    rgb
-        How the channels of a color are reached.
-    reserved
-        Names of ours that mean something else in the language.
-    """
+    """A shading language with C's syntax, and what the others change of it."""
 
     id: str
     title: str
+    """Name in the API and on the page."""
     checked: Trust
+    """'run' where our tests run every snippet and compare its numbers with Python's, 'untested'
+    where nothing here can compile it."""
     checked_by: str
+    """What runs it, or why nothing does."""
     comment: str = "//"
+    """What starts a comment."""
     real: str = "float"
     truth: str = "bool"
     color: str = "vec3"
+    """Names of the types of a real number, a condition and a color."""
     constant: str = "const "
+    """What stands before the type of a constant."""
     rgb: tuple[str, str, str] = (".r", ".g", ".b")
+    """How the channels of a color are reached."""
     reserved: frozenset[str] = frozenset()
+    """Names of ours that mean something else in the language."""
 
     def name(self, name: str) -> str:
         """Write a name, out of the way of the language's own words."""

@@ -21,19 +21,13 @@ _MEANINGS = {p.name: p.description for p in (MU, N_I, N_T, K_T)} | {
 
 @dataclass(frozen=True, slots=True)
 class Argument:
-    """An argument of a snippet.
-
-    Attributes
-    ----------
-    name, description
-        As everywhere: mu, n_i, n_t, k_t, eta, kappa, F0 or a parameter of the model.
-    per_channel
-        Whether it differs from channel to channel of a color.
-    """
+    """An argument of a snippet."""
 
     name: str
     description: str
+    """As everywhere: mu, n_i, n_t, k_t, eta, kappa, F0 or a parameter of the model."""
     per_channel: bool
+    """Whether it differs from channel to channel of a color."""
 
 
 def formula_of(model: Model) -> Formula:

@@ -23,24 +23,16 @@ _LONGEST_VALUE = 200
 
 
 class Writer(NamedTuple):
-    """A way to write an answer; pieces are written apart from one another, in any order.
-
-    Attributes
-    ----------
-    media_type
-        The kind of content.
-    head
-        Returns what comes first.
-    piece
-        Returns what stands for a piece and its outcome.
-    tail
-        Returns what comes last, from the number of items that were wrong.
-    """
+    """A way to write an answer; pieces are written apart from one another, in any order."""
 
     media_type: str
+    """The kind of content."""
     head: Callable[[], bytes]
+    """Returns what comes first."""
     piece: Callable[[Piece, Outcome], bytes]
+    """Returns what stands for a piece and its outcome."""
     tail: Callable[[int], bytes]
+    """Returns what comes last, from the number of items that were wrong."""
 
 
 def _json_head() -> bytes:

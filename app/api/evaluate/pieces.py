@@ -19,24 +19,16 @@ class TooManyValues(Exception):
 
 
 class Piece(NamedTuple):
-    """Some of the items, in order.
-
-    Attributes
-    ----------
-    first
-        Number of the first item, from 0.
-    rows
-        One row a value.
-    counts
-        Values of each item.
-    listed
-        Whether its angle came as a list.
-    """
+    """Some of the items, in order."""
 
     first: int
+    """Number of the first item, from 0."""
     rows: Rows
+    """One row a value."""
     counts: Index
+    """Values of each item."""
     listed: NDArray[np.bool_]
+    """Whether its angle came as a list."""
 
 
 class Questions(Protocol):

@@ -39,25 +39,17 @@ BODY_ALBEDO = share(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CoatSplit:
-    """Where the light goes, shares of what arrives; surface + body + absorbed = 1.
-
-    Attributes
-    ----------
-    external, internal
-        Albedo of the coat's surface for diffuse light from outside, and from the body's side.
-    surface
-        Reflected by the surface without reaching the body.
-    body
-        Scattered by the body and let out again.
-    absorbed
-        Lost in the body.
-    """
+    """Where the light goes, shares of what arrives; surface + body + absorbed = 1."""
 
     external: Array
     internal: Array
+    """Albedo of the coat's surface for diffuse light from outside, and from the body's side."""
     surface: Array
+    """Reflected by the surface without reaching the body."""
     body: Array
+    """Scattered by the body and let out again."""
     absorbed: Array
+    """Lost in the body."""
 
 
 def coat_split(

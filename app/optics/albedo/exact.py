@@ -21,16 +21,11 @@ _LINEAR_BELOW = 1e-30
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Albedo:
-    """Share of diffuse light that an interface reflects, within 0 and 1.
-
-    Attributes
-    ----------
-    s, p
-        For light polarized perpendicular and parallel to each plane of incidence.
-    """
+    """Share of diffuse light that an interface reflects, within 0 and 1."""
 
     s: Array
     p: Array
+    """For light polarized perpendicular and parallel to each plane of incidence."""
 
     @property
     def unpolarized(self) -> Array:

@@ -13,16 +13,11 @@ from app.optics.parameters import Array
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Domain:
-    """A box of interfaces, bounds included.
-
-    Attributes
-    ----------
-    eta, kappa
-        Bounds of n_t / n_i and k_t / n_i; eta below 1 is the view from the dense side.
-    """
+    """A box of interfaces, bounds included."""
 
     eta: tuple[float, float]
     kappa: tuple[float, float] = (0.0, 0.0)
+    """Bounds of n_t / n_i and k_t / n_i; eta below 1 is the view from the dense side."""
 
     @property
     def kind(self) -> Kind:
@@ -57,33 +52,23 @@ class Domain:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Claim:
-    """What a fit was said to achieve in a domain, and what it does achieve.
-
-    Attributes
-    ----------
-    domain
-        Where the claim is made.
-    claimed
-        Largest error according to the source; None where it gives a domain and no figure.
-    relative
-        Whether the errors are relative to the albedo.
-    source
-        Where the claim stands.
-    measured
-        Largest error found, rounded up to three digits; a test measures it.
-    at
-        (eta, kappa) of the largest error.
-    over
-        Where it was measured if not over the `domain`, on whose edge a relative error is infinite.
-    """
+    """What a fit was said to achieve in a domain, and what it does achieve."""
 
     domain: Domain
+    """Where the claim is made."""
     claimed: float | None = None
+    """Largest error according to the source; None where it gives a domain and no figure."""
     relative: bool = False
+    """Whether the errors are relative to the albedo."""
     source: str = "no figure published; measured here"
+    """Where the claim stands."""
     measured: float
+    """Largest error found, rounded up to three digits; a test measures it."""
     at: tuple[float, float]
+    """(eta, kappa) of the largest error."""
     over: Domain | None = None
+    """Where it was measured if not over the `domain`, on whose edge a relative error is
+    infinite."""
 
     @property
     def measured_over(self) -> Domain:
@@ -99,40 +84,27 @@ class Claim:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fit:
-    """A closed approximation of the hemispherical albedo.
-
-    Attributes
-    ----------
-    id, title
-        Name in the API (author, year) and name on the page.
-    quantity
-        Which polarization it approximates.
-    domains
-        Boxes it was made for.
-    latex
-        The formula, in KaTeX's subset of LaTeX, with n = eta and k = kappa.
-    reference
-        Author, year, title.
-    note
-        What a user should know before taking it.
-    symbols
-        Letters of `latex` that are neither n, k nor in the common glossary.
-    claims
-        Its errors, claimed and measured; at least one for each domain.
-    function
-        `function(interface) -> A`; NaN where the formula is undefined.
-    """
+    """A closed approximation of the hemispherical albedo."""
 
     id: str
     title: str
+    """Name in the API (author, year) and name on the page."""
     quantity: Quantity = "unpolarized"
+    """Which polarization it approximates."""
     domains: tuple[Domain, ...]
+    """Boxes it was made for."""
     latex: str
+    """The formula, in KaTeX's subset of LaTeX, with n = eta and k = kappa."""
     reference: str
+    """Author, year, title."""
     note: str
+    """What a user should know before taking it."""
     claims: tuple[Claim, ...]
+    """Its errors, claimed and measured; at least one for each domain."""
     function: Callable[[Interface], Array]
+    """`function(interface) -> A`; NaN where the formula is undefined."""
     symbols: tuple[Symbol, ...] = ()
+    """Letters of `latex` that are neither n, k nor in the common glossary."""
 
     def __call__(self, interface: Interface) -> Array:
         """Evaluate the fit, an array of the interface's shape, inside the domain and outside it."""

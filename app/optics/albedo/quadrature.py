@@ -43,23 +43,16 @@ _LARGEST_BATCH = 1 << 17
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Piece:
-    """A stretch of the hemisphere: angles phi from 0 to 90 degrees, cut apart by the scale `a`.
-
-    Attributes
-    ----------
-    scale
-        Distance of the nearest singularity from phi = 0.
-    cos_squared, sin_squared
-        Function of (cos^2 phi, sin^2 phi) giving cos^2 and sin^2 of theta_i, by sums of positive
-        terms.
-    width
-        d(sin^2 theta_i) = 2 width sin(phi) cos(phi) dphi.
-    """
+    """A stretch of the hemisphere: angles phi from 0 to 90 degrees, cut apart by the scale `a`."""
 
     scale: Array
+    """Distance of the nearest singularity from phi = 0."""
     cos_squared: Callable[[Array, Array], Array]
     sin_squared: Callable[[Array, Array], Array]
+    """Function of (cos^2 phi, sin^2 phi) giving cos^2 and sin^2 of theta_i, by sums of positive
+    terms."""
     width: Array
+    """d(sin^2 theta_i) = 2 width sin(phi) cos(phi) dphi."""
 
 
 def integrate(

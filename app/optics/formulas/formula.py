@@ -20,53 +20,35 @@ KINDS: tuple[FormulaKind, ...] = get_args(FormulaKind)
 
 @dataclass(frozen=True, slots=True)
 class Symbol:
-    """A letter of a formula.
-
-    Attributes
-    ----------
-    latex
-        As it is written in the formula.
-    meaning
-        In words, without a full stop.
-    unit
-        Empty for pure numbers.
-    """
+    """A letter of a formula."""
 
     latex: str
+    """As it is written in the formula."""
     meaning: str
+    """In words, without a full stop."""
     unit: str = ""
+    """Empty for pure numbers."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Accuracy:
-    """The largest error of a formula, which a test measures again.
-
-    Attributes
-    ----------
-    value
-        The error.
-    of
-        What is wrong by it: `R`, `A`, an angle, the value that comes back.
-    over
-        Where it was measured.
-    against
-        What it was measured against.
-    relative
-        Whether the error is relative to the value.
-    at_most
-        Whether `value` is a bound, as for rounding, which differs from one machine to another; else it
-        is the largest error itself, to the digits given.
-    unit
-        Of an absolute error.
-    """
+    """The largest error of a formula, which a test measures again."""
 
     value: float
+    """The error."""
     of: str
+    """What is wrong by it: `R`, `A`, an angle, the value that comes back."""
     over: str
+    """Where it was measured."""
     against: str
+    """What it was measured against."""
     relative: bool = False
+    """Whether the error is relative to the value."""
     at_most: bool = False
+    """Whether `value` is a bound, as for rounding, which differs from one machine to another; else
+    it is the largest error itself, to the digits given."""
     unit: str = ""
+    """Of an absolute error."""
 
 
 def rounding(value: float, of: str, over: str, against: str = "50-digit arithmetic") -> Accuracy:
@@ -126,45 +108,30 @@ ETA = Plotted("eta", r"\eta", "relative index n_t/n_i")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Formula:
-    """One formula as a reader meets it.
-
-    Attributes
-    ----------
-    id
-        Kind and name, as `model.schlick`.
-    title
-        Name on the page.
-    latex
-        The formula, in KaTeX's subset of LaTeX.
-    reference
-        Author, year, title.
-    validity
-        Where it holds and where it fails, in words.
-    accuracy
-        Its largest errors, at least one.
-    curve
-        `curve(interface, samples) -> Curve`.
-    at
-        The interface of the curve unless another is given.
-    takes
-        Which of the interface's numbers the curve depends on.
-    symbols
-        Letters that the common glossary and the parameters do not explain.
-    parameters
-        The formula's own parameters.
-    """
+    """One formula as a reader meets it."""
 
     id: str
+    """Kind and name, as `model.schlick`."""
     title: str
+    """Name on the page."""
     latex: str
+    """The formula, in KaTeX's subset of LaTeX."""
     reference: str
+    """Author, year, title."""
     validity: str
+    """Where it holds and where it fails, in words."""
     accuracy: tuple[Accuracy, ...]
+    """Its largest errors, at least one."""
     curve: Curves
+    """`curve(interface, samples) -> Curve`."""
     at: Interface
+    """The interface of the curve unless another is given."""
     takes: tuple[Parameter, ...] = ()
+    """Which of the interface's numbers the curve depends on."""
     symbols: tuple[Symbol, ...] = ()
+    """Letters that the common glossary and the parameters do not explain."""
     parameters: tuple[Parameter, ...] = ()
+    """The formula's own parameters."""
 
     @property
     def kind(self) -> FormulaKind:
