@@ -76,8 +76,6 @@ class Front:
         """Return n_i over the visible, end values held, and what has to be said about it."""
         if self.preset is None or self.spectrum is None:
             return self.n_i, []
-        seen = self.spectrum.visible
-        said = list(seen.warnings)
-        if self.spectrum.k_range_nm is not None:
-            said += transparency_warnings(self.preset, float(seen.k.max()))
-        return seen.n, [f"{self.preset.id}: {warning}" for warning in said]
+        seen = self.spectrum.visible  # of an unknown k, which is 0 there, it says so itself
+        warnings = transparency_warnings(self.preset, float(seen.k.max()))
+        return seen.n, [f"{self.preset.id}: {warning}" for warning in (*seen.warnings, *warnings)]

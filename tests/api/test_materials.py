@@ -243,6 +243,12 @@ def test_hostile_queries_are_problems(ask: Ask, path: str, query: dict[str, Any]
     assert "Traceback" not in answer.text
 
 
+def test_a_wavelength_is_refused_as_it_was_given(ask: Ask) -> None:
+    for query in ({}, {"incident": "glycerol"}):
+        (error,) = ask("/materials/Au/curves", wavelengths_nm="299", **query).json()["errors"]
+        assert (error["parameter"], error["value"]) == ("wavelengths_nm", "299")
+
+
 def test_an_unknown_id_names_the_nearest(ask: Ask) -> None:
     for tail in ("", "/spectrum", "/curves", "/map"):
         answer = ask(f"/materials/goldd{tail}")

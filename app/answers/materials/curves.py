@@ -11,9 +11,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from app.answers.answer import Table, Values, answer
+from app.answers.curves import COLORS
 from app.answers.interface import CONVENTION
 from app.answers.materials.about import About, FrontMedium, refuse_more_than
-from app.answers.materials.rgb import CHANNELS, RgbCurves, rgb_curves
+from app.answers.materials.rgb import RgbCurves, rgb_curves
 from app.materials.appearance import DAYLIGHT, Viewing, interface
 from app.materials.front import Front
 from app.materials.media import default_catalog
@@ -62,8 +63,7 @@ class MaterialCurves:
         for single in self.wavelengths:
             columns[f"R_{_written(single.wavelength_nm)}nm"] = single.R
         for curve in self.rgb.curves if self.rgb else ():
-            for name in CHANNELS:
-                columns[f"{curve.model}.R_{name}"] = getattr(curve, f"R_{name}")
+            columns |= {f"{curve.model}.{name}": getattr(curve, name) for name in COLORS}
         return Table(columns, f"{self.material.id}_curves.csv")
 
 

@@ -8,6 +8,7 @@ from functools import cache
 import numpy as np
 
 from app.answers.answer import Gaps, answer
+from app.answers.curves import COLORS
 from app.answers.materials.about import Rgb
 from app.answers.materials.detail import Seen
 from app.materials.appearance import Viewing, appearance, averaged_interface, color_curve
@@ -21,8 +22,6 @@ from app.optics.numerics.quadrature import Nodes, crowded_gauss_legendre
 from app.optics.parameters import Array
 from app.optics.registry import Model
 from app.optics.specular import tint_at_82
-
-CHANNELS = ("red", "green", "blue")
 
 
 @answer
@@ -140,14 +139,14 @@ def rgb_curves(
             given = {name: value.ravel() for name, value in constants.items()}
         # Not `model(...)`, which refuses the unclamped F0 above 1 that gold has in red.
         error = model.evaluate(averaged, at_nodes, arguments) - truth_at_nodes
-        measured = [ChannelError.of(row, nodes) for row in error]
+        red, green, blue = (ChannelError.of(row, nodes) for row in error)
         curves.append(
             RgbCurve(
                 model=model.id,
                 title=title,
                 inputs=given,
                 **_channels(model.evaluate(averaged, incidence, arguments)),
-                errors=ChannelErrors(**dict(zip(CHANNELS, measured, strict=True))),
+                errors=ChannelErrors(red=red, green=green, blue=blue),
             )
         )
     return RgbCurves(**viewing._asdict(), gamut=gamut, curves=curves)
@@ -160,6 +159,4 @@ def _nodes() -> Nodes:
 
 
 def _channels(rows: Array) -> dict[str, Array]:
-    return {
-        f"R_{name}": np.ascontiguousarray(row) for name, row in zip(CHANNELS, rows, strict=True)
-    }
+    return dict(zip(COLORS, map(np.ascontiguousarray, rows), strict=True))
