@@ -35,7 +35,7 @@ def answer(cls: type[T]) -> type[T]:
     return made
 
 
-def filled(kind: type[T], source: object, **given: Any) -> T:
+def filled(kind: type[T], source: object, /, **given: Any) -> T:
     """Make an answer of what is given and, for its other fields, of the attributes of `source`."""
     names = {field.name for field in fields(kind)} - given.keys()  # type: ignore[arg-type]
     return kind(**{name: getattr(source, name) for name in names}, **given)

@@ -6,7 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from app.answers.answer import Gaps, Table, Values, answer
+from app.answers.answer import Gaps, Table, Values, answer, filled
 from app.optics.formulas.collection import CONVENTIONS, symbols_of
 from app.optics.formulas.formula import Accuracy, Formula, Plotted, Symbol
 from app.optics.formulas.sources import links
@@ -50,27 +50,15 @@ class ExplainedFormula:
     @classmethod
     def of(cls, formula: Formula) -> ExplainedFormula:
         """Explain a formula."""
-        return cls(
-            id=formula.id,
-            kind=formula.kind,
-            title=formula.title,
-            latex=formula.latex,
+        return filled(
+            cls,
+            formula,
             convention=CONVENTIONS[formula.kind],
-            validity=formula.validity,
-            reference=formula.reference,
             links=list(links(formula.reference)),
             symbols=tuple(symbols_of(formula)),
-            parameters=formula.parameters,
             measured=formula.accuracy,
             takes=[
-                Taken(
-                    name=p.name,
-                    symbol=p.symbol,
-                    value=float(getattr(formula.at, p.name)),
-                    minimum=p.minimum,
-                    maximum=p.maximum,
-                )
-                for p in formula.takes
+                filled(Taken, p, value=float(getattr(formula.at, p.name))) for p in formula.takes
             ],
         )
 
@@ -105,14 +93,12 @@ class FormulaCurve:
         return cls(
             formula=formula.id,
             convention=CONVENTIONS[formula.kind],
-            n_i=float(interface.n_i),
-            n_t=float(interface.n_t),
-            k_t=float(interface.k_t),
+            **{name: float(getattr(interface, name)) for name in ("n_i", "n_t", "k_t")},
             x=curve.x,
             at=curve.at,
             y=curve.y,
             series=[
-                FormulaSeries(id=s.id, title=s.title, values=np.ascontiguousarray(s.values))
+                filled(FormulaSeries, s, values=np.ascontiguousarray(s.values))
                 for s in curve.series
             ],
         )

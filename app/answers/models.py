@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.answers.answer import answer
+from app.answers.answer import answer, filled
 from app.optics.interface import Kind
 from app.optics.parameters import Parameter
 from app.optics.registry import Cost, Measured, Model, ModelKind
@@ -34,18 +34,4 @@ class RegisteredModel:
     @classmethod
     def of(cls, model: Model, shaders: str | None) -> RegisteredModel:
         """Describe a model that is found as code at `shaders`."""
-        return cls(
-            id=model.id,
-            title=model.title,
-            kind=model.kind,
-            trap=model.trap,
-            applies_to=model.applies_to,
-            parameters=model.parameters,
-            takes_color=model.takes_color,
-            latex=model.latex,
-            reference=model.reference,
-            validity=model.validity,
-            cost=model.cost,
-            measured=model.measured,
-            shaders=shaders,
-        )
+        return filled(cls, model, shaders=shaders)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.answers.answer import answer
+from app.answers.answer import answer, filled
 from app.optics.registry import Measured, Model
 from app.snippets.languages import Language, Trust
 from app.snippets.snippet import Argument, arguments_of, reason_without, write
@@ -19,16 +19,6 @@ class ShadingLanguage:
     checked_by: str
     """What checks it, or why nothing does."""
 
-    @classmethod
-    def of(cls, language: Language) -> ShadingLanguage:
-        """Describe a language."""
-        return cls(
-            id=language.id,
-            title=language.title,
-            checked=language.checked,
-            checked_by=language.checked_by,
-        )
-
 
 @answer
 class ShaderLink:
@@ -44,9 +34,8 @@ class ShaderLink:
     @classmethod
     def of(cls, model: Model) -> ShaderLink:
         """Tell of a model."""
-        return cls(
-            model=model.id, title=model.title, url=shader_url(model), reason=reason_without(model)
-        )
+        reason = reason_without(model)
+        return filled(cls, model, model=model.id, url=shader_url(model), reason=reason)
 
 
 @answer
@@ -76,7 +65,9 @@ def shader_url(model: Model) -> str | None:
 
 def shader(model: Model, language: Language, channels: int) -> Shader:
     """Write a model, which has a closed form, in a language."""
-    return Shader(
+    return filled(
+        Shader,
+        model,
         model=model.id,
         language=language.id,
         checked=language.checked,
@@ -85,7 +76,4 @@ def shader(model: Model, language: Language, channels: int) -> Shader:
         function=model.id,
         arguments=list(arguments_of(model)),
         code=write(model, language, channels),
-        reference=model.reference,
-        validity=model.validity,
-        measured=model.measured,
     )

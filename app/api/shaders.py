@@ -8,7 +8,7 @@ from fastapi import APIRouter, Query
 from pydantic import Field
 from starlette.responses import PlainTextResponse, Response
 
-from app.answers.answer import answer
+from app.answers.answer import answer, filled
 from app.answers.shaders import Shader, ShaderLink, ShadingLanguage, shader
 from app.http.problems import MissingResource
 from app.http.query import QueryModel
@@ -50,7 +50,7 @@ def router(registry: Registry) -> APIRouter:
     @routes.get("/shaders", summary="Models that there is code of")
     def shaders() -> Shaders:
         return Shaders(
-            languages=[ShadingLanguage.of(language) for language in LANGUAGES.values()],
+            languages=[filled(ShadingLanguage, language) for language in LANGUAGES.values()],
             shaders=[ShaderLink.of(model) for model in registry.values()],
         )
 

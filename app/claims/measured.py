@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from app.answers.answer import answer
+from app.answers.answer import answer, filled
 from app.claims.claim import Claim, Verdict
 
 
@@ -84,43 +84,23 @@ class MeasuredClaims:
 
 def judged(claim: Claim, values: Mapping[str, float], prefix: str) -> MeasuredClaim:
     """Judge a claim by its figures; `prefix` stands before the requests that measure them."""
-    source = claim.source
-    return MeasuredClaim(
-        id=claim.id,
-        title=claim.title,
-        claimed=claim.claimed,
-        source=SourceOf(
-            author=source.author,
-            year=source.year,
-            title=source.title,
-            url=source.url,
-            where=claim.where,
-        ),
-        domain=claim.domain,
+    return filled(
+        MeasuredClaim,
+        claim,
+        source=filled(SourceOf, claim.source, where=claim.where),
         verdict=claim.verdict(values),
         found=claim.found.format(**values),
         figures=[
-            Measurement(
-                name=figure.name,
-                says=figure.says,
+            filled(
+                Measurement,
+                figure,
                 value=values[figure.name],
-                unit=figure.unit,
                 request=prefix + figure.request,
                 reading=figure.reading.words,
             )
             for figure in claim.figures
         ],
-        parts=[
-            JudgedPart(
-                says=part.says,
-                figure=part.figure,
-                at_least=part.at_least,
-                at_most=part.at_most,
-                holds=part.holds(values),
-            )
-            for part in claim.parts
-        ],
-        example=claim.example,
+        parts=[filled(JudgedPart, part, holds=part.holds(values)) for part in claim.parts],
     )
 
 
