@@ -16,7 +16,6 @@ from starlette.staticfiles import PathLike, StaticFiles
 from starlette.types import Receive, Scope, Send
 
 from app.http.body import EncodedBody, Headers
-from app.page.comments import without_comments
 from app.page.service_worker import SCRIPT, service_worker
 
 _CONTENT_SECURITY_POLICY = "; ".join(
@@ -94,7 +93,7 @@ class Page(StaticFiles):
                 return _Text(
                     EncodedBody(script, _headers("text/javascript; charset=utf-8", "no-cache"))
                 )
-            return _Text(_encoded(path, stat_result.st_mtime_ns, cache_control, vendored))
+            return _Text(_encoded(path, stat_result.st_mtime_ns, cache_control))
         response = super().file_response(full_path, stat_result, scope, status_code)
         response.headers["Cache-Control"] = cache_control
         return response
@@ -125,13 +124,11 @@ def _headers(media_type: str, cache_control: str) -> Headers:
 
 
 @lru_cache(maxsize=512)
-def _encoded(path: Path, _mtime_ns: int, cache_control: str, vendored: bool) -> EncodedBody:
-    """A text file to be sent, our own without comments; read again when it has changed."""
+def _encoded(path: Path, _mtime_ns: int, cache_control: str) -> EncodedBody:
+    """A text file to be sent; read again when it has changed."""
     media_type = guess_type(path.name)[0] or "text/plain"
     # Scripts and styles are read as UTF-8 in our documents without being told so in each answer.
     if media_type.startswith("text/") and path.suffix not in _UNDERSTOOD:
         media_type += "; charset=utf-8"
-    text = path.read_bytes()
-    if not vendored:
-        text = without_comments(text, path.suffix)
-    return EncodedBody(text, _headers(media_type, cache_control), effort="thorough")
+    headers = _headers(media_type, cache_control)
+    return EncodedBody(path.read_bytes(), headers, effort="thorough")
