@@ -7,8 +7,7 @@ import { later, queries, restCalls } from "../../static/js/compare/queries.js";
 import { COLUMNS, printCost, short, sorted } from "../../static/js/errors/metrics.js";
 import { curveTraces, distinct, errorRange, errorTraces } from "../../static/js/errors/traces.js";
 import { EXAMPLES, shows, stateOf } from "../../static/js/models/examples.js";
-import { parameterFields, parameterQuery } from "../../static/js/server/questions.js";
-import { createState } from "../../static/js/state/state.js";
+import { createState, parameterFields, parameterQuery } from "../../static/js/state/state.js";
 import { lutPath, rgbLutPath } from "../../static/js/takeaway/fields.js";
 
 /** @param {string} name @param {Partial<Parameter>} rest @returns {Parameter} */

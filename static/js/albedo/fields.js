@@ -1,8 +1,8 @@
 /** The state that the Albedo view adds to the one all views share. */
 
 import { coatFields } from "../coat/fields.js";
-import { declared } from "../server/questions.js";
-import { choice, LinkError, list, number, text } from "../state/state.js";
+import { choice, declared, LinkError, list, number } from "../state/state.js";
+import { text } from "../state/text.js";
 import { COLUMNS } from "./claims.js";
 
 const METAL_FITS = ["deon_2019_rational", "deon_2019_rg", "dunkle_1963"];

@@ -1,7 +1,7 @@
 /** What the Albedo view asks the server for. */
 
 import { coatPath } from "../coat/fields.js";
-import { mediaQuery, path } from "../server/questions.js";
+import { mediaQuery, path } from "../state/state.js";
 import { chosenFits, held, mapFit, mapRange, surfaceOf, sweepRange } from "./fields.js";
 
 /** Steps of a hundredth at least over each of the ranges. */

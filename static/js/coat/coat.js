@@ -9,7 +9,7 @@ import { createExports } from "../page/exports.js";
 import { html, render } from "../page/lit.js";
 import { copied } from "../page/tables.js";
 import { createTrouble } from "../page/trouble.js";
-import { declared } from "../server/questions.js";
+import { declared } from "../state/state.js";
 import { createDrawing } from "./drawing.js";
 
 /** @typedef {import('./fields.js').Coat} Coat */

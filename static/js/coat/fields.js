@@ -1,7 +1,6 @@
 /** What the picture of glossy paint adds to the state, and what it asks the server for. */
 
-import { declared, path } from "../server/questions.js";
-import { choice, number } from "../state/state.js";
+import { choice, declared, number, path } from "../state/state.js";
 
 /**
  * What `/albedo/coat` sends.

@@ -1,7 +1,7 @@
 /** What `/convert` is asked, and how its answers are written. */
 
 import { significant } from "../numbers/format.js";
-import { path } from "../server/questions.js";
+import { path } from "../state/state.js";
 
 /**
  * @typedef {{form: string, title: string, values: Record<string, any>, status: string, why: string}} Result

@@ -7,7 +7,7 @@ import { createChanged } from "../page/changed.js";
 import { h, symbol } from "../page/dom.js";
 import { html, nothing, render } from "../page/lit.js";
 import { sayProblem } from "../page/trouble.js";
-import { declared } from "../server/questions.js";
+import { declared } from "../state/state.js";
 import { BETWEEN, filled, printValue, SOURCES, texts } from "./conversions.js";
 
 /** @typedef {import('./conversions.js').Result} Result */

@@ -2,8 +2,16 @@
 
 import { COLUMNS, METRICS } from "../errors/metrics.js";
 import { EXAMPLES } from "../models/examples.js";
-import { declared, parameterFields } from "../server/questions.js";
-import { choice, LinkError, list, number, optional, text } from "../state/state.js";
+import {
+  choice,
+  declared,
+  LinkError,
+  list,
+  number,
+  optional,
+  parameterFields,
+} from "../state/state.js";
+import { text } from "../state/text.js";
 import { snippetFields, tableFields } from "../takeaway/fields.js";
 import { SOURCES } from "./conversions.js";
 

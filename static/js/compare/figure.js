@@ -13,7 +13,7 @@ import { createDataTables, createExports } from "../page/exports.js";
 import { html, render } from "../page/lit.js";
 import { createHeatmap } from "../plot/heatmap.js";
 import { createPlot } from "../plot/plot.js";
-import { declared } from "../server/questions.js";
+import { declared } from "../state/state.js";
 import { FIGURES, figureOf, focused, ranges } from "./fields.js";
 import { hasTriple } from "./queries.js";
 

@@ -1,6 +1,6 @@
 /** What the Compare view asks the server for. */
 
-import { mediaQuery, parameterQuery, path } from "../server/questions.js";
+import { mediaQuery, parameterQuery, path } from "../state/state.js";
 import { codeOf, lutPath, snippetPath } from "../takeaway/fields.js";
 import { convertPath } from "./conversions.js";
 import { figureOf, focused, ranges, withCode } from "./fields.js";

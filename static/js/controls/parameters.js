@@ -5,7 +5,7 @@ import { ExpressionError, evaluate } from "../numbers/expression.js";
 import { plain } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
 import { loadStyle } from "../page/style.js";
-import { defaultOf, stateName } from "../server/questions.js";
+import { defaultOf, stateName } from "../state/state.js";
 import { createChoice, createRow } from "./panel.js";
 
 await loadStyle("css/parameters.css");

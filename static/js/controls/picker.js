@@ -2,6 +2,7 @@
 
 import { stretch } from "../media/wavelength.js";
 import { h } from "../page/dom.js";
+import { loadStyle } from "../page/style.js";
 import { distance } from "../state/state.js";
 
 const MOST_TYPOS = 2;
@@ -60,7 +61,17 @@ function groupOf({ id, category }) {
 }
 
 /** @param {ListOptions} options */
-export function createList({ input, materials, note, refusal, describe, onPick, written, chosen }) {
+export async function createList({
+  input,
+  materials,
+  note,
+  refusal,
+  describe,
+  onPick,
+  written,
+  chosen,
+}) {
+  await loadStyle("css/media-list.css");
   pickers += 1;
   const own = `media-${pickers}`;
   /** @type {HTMLElement | null} */

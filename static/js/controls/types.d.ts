@@ -142,5 +142,5 @@ interface NumberEntry {
 /** White light, once it was to be seen. */
 interface WhiteLight {
   spread: typeof import("../explore/dispersion.js").spread;
-  panel: ReturnType<typeof import("../explore/dispersion.js").createDispersion>;
+  panel: Awaited<ReturnType<typeof import("../explore/dispersion.js").createDispersion>>;
 }

@@ -1,6 +1,7 @@
 /** The state that the Materials view adds to the one all views share. */
 
-import { choice, LinkError, number, optional, text } from "../state/state.js";
+import { choice, LinkError, number, optional } from "../state/state.js";
+import { text } from "../state/text.js";
 import { COLUMNS } from "./columns.js";
 
 /** The wavelengths of Shirley's figure of copper, in nm. */

@@ -1,6 +1,6 @@
 /** What the Materials view asks the server for. */
 
-import { path } from "../server/questions.js";
+import { path } from "../state/state.js";
 
 /** A cell's color needs no more digits. */
 const MAP_DIGITS = 4;

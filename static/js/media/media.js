@@ -308,13 +308,13 @@ function createField({ label, ...options }) {
     return material ? `${material.name}\u2003${note(material)}` : "";
   };
 
-  /** @type {ReturnType<typeof import("../controls/picker.js").createList> | null} */
+  /** @type {Awaited<ReturnType<typeof import("../controls/picker.js").createList>> | null} */
   let list = null;
   /** What happened before the list had come. @type {Event[]} */
   let early = [];
   async function fetchList() {
     const { createList } = await import("../controls/picker.js");
-    list ??= createList({ ...options, input, written, chosen: () => chosen });
+    list = await createList({ ...options, input, written, chosen: () => chosen });
     for (const event of early) list.on(event);
     early = [];
   }

@@ -1,7 +1,6 @@
 /** The state that the Preview view adds to the one all views share. */
 
-import { parameterFields } from "../server/questions.js";
-import { choice, LinkError, number, whole } from "../state/state.js";
+import { choice, LinkError, number, parameterFields, whole } from "../state/state.js";
 import { snippetFields, tableFields } from "../takeaway/fields.js";
 
 /** Without any reflection, as in Wloka's figure 14; all else is a registered model. */

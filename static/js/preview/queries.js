@@ -2,7 +2,7 @@
 
 import { isDispersive } from "../media/media.js";
 import { decoded } from "../numbers/srgb.js";
-import { mediaQuery, parameterQuery, path, stateName } from "../server/questions.js";
+import { mediaQuery, parameterQuery, path, stateName } from "../state/state.js";
 import { codeOf, lutPath, snippetPath } from "../takeaway/fields.js";
 import { isEven, isPaint, NONE, withCode } from "./fields.js";
 

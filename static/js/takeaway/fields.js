@@ -1,7 +1,6 @@
 /** What the panel of shader code adds to the state, and what it asks the server for. */
 
-import { mediaQuery, parameterQuery, path } from "../server/questions.js";
-import { choice, optional } from "../state/state.js";
+import { choice, mediaQuery, optional, parameterQuery, path } from "../state/state.js";
 
 /**
  * @typedef {{id: string, label: string, file: string}} Language

@@ -1,7 +1,8 @@
 /** The state that the Theory view adds to the one all views share. */
 
 import { coatFields } from "../coat/fields.js";
-import { choice, number, text } from "../state/state.js";
+import { choice, number } from "../state/state.js";
+import { text } from "../state/text.js";
 import { decode } from "./mystery-code.js";
 import { STEPS } from "./steps.js";
 import { TRAPS } from "./trap-cards.js";

@@ -13,7 +13,7 @@ import { short } from "../errors/metrics.js";
 import { angle } from "../numbers/format.js";
 import { loadStyle } from "../page/style.js";
 import { createProblems } from "../page/trouble.js";
-import { freshOf } from "../server/questions.js";
+import { freshOf } from "../state/state.js";
 import { createSnippets } from "../takeaway/code.js";
 import { createTables } from "../takeaway/table.js";
 

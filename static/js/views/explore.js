@@ -10,8 +10,7 @@ import { angle, clamp, inDegrees, inUnit, percent, snap, stepped } from "../numb
 import { h } from "../page/dom.js";
 import { createDataTables, createExports } from "../page/exports.js";
 import { createPlot } from "../plot/plot.js";
-import { mediaQuery, parameterFields, parameterQuery, path } from "../server/questions.js";
-import { choice, list } from "../state/state.js";
+import { choice, list, mediaQuery, parameterFields, parameterQuery, path } from "../state/state.js";
 
 const SNAP_DEGREES = 1;
 
@@ -165,8 +164,9 @@ export function createView({
   let white = null;
   async function loadWhite() {
     const { spread, createDispersion } = await import("../explore/dispersion.js");
+    const panel = await createDispersion();
     if (white) return;
-    white = { spread, panel: createDispersion() };
+    white = { spread, panel };
     whitePlace.replaceWith(white.panel.element);
     actions.set({}, { history: "none" });
   }
