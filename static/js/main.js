@@ -311,7 +311,7 @@ async function start() {
     undo: () => arrived.then(() => shell.say(steps.undo() ? "Undone" : "Nothing to undo")),
     redo: () => arrived.then(() => shell.say(steps.redo() ? "Done again" : "Nothing to redo")),
   };
-  /** @type {import('./page/finder.js').FinderOptions} */
+  /** @type {FinderOptions} */
   const found = {
     catalog,
     views: VIEWS,

@@ -187,3 +187,8 @@ interface MakeElement {
     ...children: Child[]
   ): ElementOf<Tag>;
 }
+
+/** What is done at which event. */
+type Listeners = {
+  [Kind in keyof HTMLElementEventMap]?: (event: HTMLElementEventMap[Kind]) => void;
+};

@@ -5,7 +5,7 @@
 
 import { put, px, show } from "../draw/svg.js";
 import { angle, percent } from "../numbers/format.js";
-import { h, setText } from "../page/dom.js";
+import { h, listen, setText } from "../page/dom.js";
 import { watchSize } from "../plot/figure.js";
 import {
   angleAt,
@@ -207,8 +207,6 @@ const FINE = 0.1;
 
 /** @param {ListenForDragsOptions} task @returns {() => void} stop listening */
 export function listenForDrags({ host, handle, grip, stage, theta, actions }) {
-  const listening = new AbortController();
-  const { signal } = listening;
   /** @type {{id: number, from: number, pointer: number, fine: boolean} | null} */
   let held = null;
 
@@ -218,9 +216,34 @@ export function listenForDrags({ host, handle, grip, stage, theta, actions }) {
     return angleAt(stage(), { x: event.clientX - bounds.left, y: event.clientY - bounds.top });
   };
 
-  host.addEventListener(
-    "pointerdown",
-    (event) => {
+  /** @param {PointerEvent} event */
+  const release = (event) => {
+    if (!held || event.pointerId !== held.id) return;
+    held = null;
+    host.removeAttribute("data-dragging");
+    actions.onSettle?.();
+  };
+  /** @param {KeyboardEvent} event */
+  const kindOf = (event) => {
+    const arrow = event.shiftKey ? "fine" : "";
+    /** @type {Record<string, string>} */
+    const kinds = {
+      ArrowRight: `${arrow}+`,
+      ArrowUp: `${arrow}+`,
+      ArrowLeft: `${arrow}-`,
+      ArrowDown: `${arrow}-`,
+      PageUp: "page+",
+      PageDown: "page-",
+      Home: "home",
+      End: "end",
+    };
+    return /** @type {Parameters<NonNullable<DragActions["onStep"]>>[0] | undefined} */ (
+      kinds[event.key]
+    );
+  };
+  const listening = new AbortController();
+  listen(host, listening.signal, {
+    pointerdown(event) {
       if (!event.isPrimary || event.button !== 0) return;
       const taken = event.target === handle || event.target === grip;
       const { y } = stage();
@@ -240,12 +263,7 @@ export function listenForDrags({ host, handle, grip, stage, theta, actions }) {
       };
       if (!taken) actions.onTheta(pointer, { fine: event.shiftKey, free: event.altKey });
     },
-    { signal },
-  );
-
-  host.addEventListener(
-    "pointermove",
-    (event) => {
+    pointermove(event) {
       if (!held || event.pointerId !== held.id) return;
       const pointer = pointed(event);
       if (event.shiftKey !== held.fine) {
@@ -255,54 +273,20 @@ export function listenForDrags({ host, handle, grip, stage, theta, actions }) {
       const value = Math.min(90, Math.max(0, held.from + turned));
       actions.onTheta(value, { fine: event.shiftKey, free: event.altKey });
     },
-    { signal },
-  );
-
-  /** @param {PointerEvent} event */
-  const release = (event) => {
-    if (!held || event.pointerId !== held.id) return;
-    held = null;
-    host.removeAttribute("data-dragging");
-    actions.onSettle?.();
-  };
-  host.addEventListener("pointerup", release, { signal });
-  host.addEventListener("pointercancel", release, { signal });
-
-  /** @param {KeyboardEvent} event */
-  const kindOf = (event) => {
-    const arrow = event.shiftKey ? "fine" : "";
-    /** @type {Record<string, string>} */
-    const kinds = {
-      ArrowRight: `${arrow}+`,
-      ArrowUp: `${arrow}+`,
-      ArrowLeft: `${arrow}-`,
-      ArrowDown: `${arrow}-`,
-      PageUp: "page+",
-      PageDown: "page-",
-      Home: "home",
-      End: "end",
-    };
-    return /** @type {Parameters<NonNullable<DragActions["onStep"]>>[0] | undefined} */ (
-      kinds[event.key]
-    );
-  };
-  handle.addEventListener(
-    "keydown",
-    (event) => {
+    pointerup: release,
+    pointercancel: release,
+  });
+  listen(handle, listening.signal, {
+    keydown(event) {
       const kind = kindOf(event);
       if (!kind || event.ctrlKey || event.metaKey) return;
       event.preventDefault();
       actions.onStep?.(kind);
     },
-    { signal },
-  );
-  handle.addEventListener(
-    "keyup",
-    (event) => {
+    keyup(event) {
       if (kindOf(event)) actions.onSettle?.();
     },
-    { signal },
-  );
+  });
   return () => listening.abort();
 }
 

@@ -34,6 +34,12 @@ export function setText(element, text) {
   } else if (element.textContent !== text) element.textContent = text;
 }
 
+/** @param {HTMLElement} target @param {AbortSignal} signal that ends it @param {Listeners} listeners */
+export function listen(target, signal, listeners) {
+  for (const [kind, listener] of Object.entries(listeners))
+    target.addEventListener(kind, /** @type {EventListener} */ (listener), { signal });
+}
+
 /** @param {string} id @returns {HTMLElement} the element that index.html promises */
 export function byId(id) {
   const element = document.getElementById(id);

@@ -6,20 +6,6 @@ import { copyText } from "./exports.js";
 import { addressOf, follow } from "./links.js";
 import { loadStyle } from "./style.js";
 
-/**
- * @typedef {{id: string, name: string, category: string, aliases?: string[], source?: string, does: string,
- *   run: () => void}} Entry what can be found
- * @typedef {object} FinderOptions
- * @property {Catalog} catalog
- * @property {readonly {id: string, title: string}[]} views
- * @property {() => string} view the one that is open
- * @property {(patch: Record<string, any>) => void} set
- * @property {() => Promise<void>} describeMedia
- * @property {() => Promise<{formulas: {id: string, title: string}[]}>} formulas
- * @property {readonly {name: string, note: string, run: () => void}[]} actions
- * @property {(id: string, notice: {title: string, lines: string[]}) => void} notice
- */
-
 const MOST_SHOWN = 60;
 /** Views whose second medium is the one that is found; elsewhere it is opened among the materials. */
 const WITH_MEDIUM = ["explore", "compare"];
@@ -39,7 +25,7 @@ async function copyEmbed(notice) {
   notice("embed", { title, lines: [code] });
 }
 
-/** @param {FinderOptions} options @returns {Entry[]} */
+/** @param {FinderOptions} options @returns {Findable[]} */
 export function entries({ catalog, views, view, set, actions, notice }) {
   const here = views.find((one) => one.id === view() && WITH_MEDIUM.includes(one.id));
   return [
@@ -84,7 +70,7 @@ export function entries({ catalog, views, view, set, actions, notice }) {
   ];
 }
 
-/** @param {{id: string, title: string}[]} formulas @returns {Entry[]} */
+/** @param {{id: string, title: string}[]} formulas @returns {Findable[]} */
 export function formulaEntries(formulas) {
   return formulas.map(({ id, title }) => ({
     id,
@@ -113,7 +99,7 @@ export async function openFinder(options) {
   const none = h("p.finder-none", { role: "status" });
   const dialog = h("dialog.dialog.finder", { "aria-label": "Find anything" }, input, list, none);
   let all = entries(options);
-  /** @type {Entry[]} */
+  /** @type {Findable[]} */
   let found = [];
   let active = 0;
 

@@ -1,6 +1,7 @@
 /** The keys, at a glance. */
 
 import { h } from "./dom.js";
+import { html, render } from "./lit.js";
 import { loadStyle } from "./style.js";
 
 const CONTROL = /Mac|iPhone|iPad/.test(navigator.platform) ? "⌘" : "Ctrl";
@@ -45,27 +46,28 @@ const KEYS = [
 
 export async function openHelp() {
   await loadStyle("css/dialog.css");
-  const close = h("button.quiet", { type: "button", autofocus: true }, "Close");
-  const dialog = h(
-    "dialog.dialog.help",
-    { "aria-labelledby": "help-title" },
-    h("header", h("h2", { id: "help-title" }, "Keys"), close),
-    ...KEYS.map(([title, keys]) =>
-      h(
-        "section",
-        h("h3", title),
-        h(
-          "dl",
-          ...keys.map(([names, does]) =>
-            h("div", h("dt", ...names.map((name) => h("kbd", name))), h("dd", does)),
-          ),
-        ),
-      ),
-    ),
+  const close = () => dialog.close();
+  const dialog = h("dialog.dialog.help", { "aria-labelledby": "help-title" });
+  render(
+    html`<header>
+        <h2 id="help-title">Keys</h2>
+        <button type="button" class="quiet" autofocus @click=${close}>Close</button>
+      </header>
+      ${KEYS.map(
+        ([title, keys]) => html`<section>
+          <h3>${title}</h3>
+          <dl>${keys.map(
+            ([names, does]) => html`<div>
+              <dt>${names.map((name) => html`<kbd>${name}</kbd>`)}</dt>
+              <dd>${does}</dd>
+            </div>`,
+          )}</dl>
+        </section>`,
+      )}`,
+    dialog,
   );
-  close.addEventListener("click", () => dialog.close());
   dialog.addEventListener("click", (event) => {
-    if (event.target === dialog) dialog.close();
+    if (event.target === dialog) close();
   });
   dialog.addEventListener("close", () => dialog.remove());
   document.body.append(dialog);

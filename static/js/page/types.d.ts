@@ -94,3 +94,61 @@ interface ModelChoiceOptions {
   label: string;
   actions: Pick<Actions, "set">;
 }
+
+/** What is to be drawn for a publication. */
+interface PublishTask {
+  figures: Published[];
+  /** A part of the REST call that they show. */
+  call: string;
+  behind: Behind;
+  /** Of the files. */
+  name: string;
+  save: (name: string, blob: Blob) => void;
+}
+
+interface Cited {
+  id: string;
+  title: string;
+  reference: string;
+}
+
+interface CitedPreset {
+  id: string;
+  name: string;
+  kind: string;
+  wavelength_nm: number | null;
+  source: string;
+  doi: string[];
+}
+
+interface CitedMedium {
+  /** Of the preset. */
+  id: string;
+  /** Where it is taken; null is the preset's own wavelength. */
+  at_nm?: number | null;
+  /** The only index that is taken. */
+  of?: string;
+}
+
+/** What can be found. */
+interface Findable {
+  id: string;
+  name: string;
+  category: string;
+  aliases?: string[];
+  source?: string;
+  does: string;
+  run: () => void;
+}
+
+interface FinderOptions {
+  catalog: Catalog;
+  views: readonly { id: string; title: string }[];
+  /** The one that is open. */
+  view: () => string;
+  set: (patch: State) => void;
+  describeMedia: () => Promise<void>;
+  formulas: () => Promise<{ formulas: { id: string; title: string }[] }>;
+  actions: readonly { name: string; note: string; run: () => void }[];
+  notice: (id: string, notice: { title: string; lines: string[] }) => void;
+}

@@ -18,20 +18,7 @@ const CAPTION_GAP = 6;
 export const PRINT_PADDING = 2;
 const DOTS_PER_MM = 600 / 25.4;
 
-/**
- * @param {object} picture
- * @param {string} picture.title above the plot, unless it is empty
- * @param {readonly string[]} [picture.caption] paragraphs below it
- * @param {number} [picture.padding] on every side, px
- * @param {readonly Trace[]} picture.traces
- * @param {readonly Mark[]} picture.marks
- * @param {readonly Band[]} [picture.bands]
- * @param {number} [picture.most] names at the curves
- * @param {Axes} picture.axes
- * @param {Theme} picture.theme
- * @param {Size} picture.size without legend and caption
- * @returns {Plotly.Figure}
- */
+/** @param {Picture} picture @returns {Plotly.Figure} */
 export function exportFigure({
   title,
   traces,
@@ -87,18 +74,12 @@ export function exportFigure({
   };
   /** @type {Record<string, unknown>[]} */
   const shapes = bandShapes(bands, theme);
-  const uprights = landmarks.map((mark) => ({
-    type: "line",
-    xref: "x",
-    yref: "paper",
-    x0: mark.x,
-    x1: mark.x,
-    y0: 0,
-    y1: 1,
-    layer: "below",
-    line: { color: theme.muted, width: 1, dash: "2px,3px" },
-  }));
-  shapes.push(...uprights);
+  /** @param {Mark} mark @param {Plotly.Line} line */
+  const upright = ({ x }, line) => {
+    const ends = { x0: x, x1: x, y0: 0, y1: 1 };
+    shapes.push({ type: "line", xref: "x", yref: "paper", ...ends, layer: "below", line });
+  };
+  for (const mark of landmarks) upright(mark, { color: theme.muted, width: 1, dash: "2px,3px" });
   const names = placeMarkNames({
     frame,
     reserved: padding + text(axes.y.title),
@@ -108,36 +89,14 @@ export function exportFigure({
     const place = names[index];
     if (place) write(place.x, place.y, plotlyText(mark.label), { size: 12, color: theme.muted });
   });
-  for (const mark of marks) {
-    if (mark.kind !== "current") continue;
-    shapes.push({
-      type: "line",
-      xref: "x",
-      yref: "paper",
-      x0: mark.x,
-      x1: mark.x,
-      y0: 0,
-      y1: 1,
-      layer: "below",
-      line: { color: theme.accent, width: 1.5, dash: "solid" },
-    });
-  }
+  for (const mark of marks)
+    if (mark.kind === "current") upright(mark, { color: theme.accent, width: 1.5, dash: "solid" });
 
   for (const { trace, line, text: x, y } of legend.entries) {
-    shapes.push({
-      type: "line",
-      xref: "paper",
-      yref: "paper",
-      x0: paperX(line[0]),
-      x1: paperX(line[1]),
-      y0: paperY(y),
-      y1: paperY(y),
-      line: {
-        color: theme.color(trace.color),
-        width: trace.width ?? 2,
-        dash: trace.dash ?? "solid",
-      },
-    });
+    const ends = { x0: paperX(line[0]), x1: paperX(line[1]), y0: paperY(y), y1: paperY(y) };
+    const { width = 2, dash = "solid" } = trace;
+    const look = { color: theme.color(trace.color), width, dash };
+    shapes.push({ type: "line", xref: "paper", yref: "paper", ...ends, line: look });
     write(x, y, plotlyText(trace.label), { size: 12, color: theme.ink }, "left");
   }
   if (legend.entries.length === 0) {
@@ -192,8 +151,7 @@ export function exportFigure({
 /**
  * A plot as it stands on the page, or fitted to a publication.
  * @param {HTMLElement} element of the plot
- * @param {Omit<Parameters<typeof exportFigure>[0], "size"> & {size?: Size, at: number | null}} picture
- *   `at` is where the marker stands
+ * @param {Omit<Picture, "size"> & {size?: Size, at: number | null}} picture `at` is where the marker stands
  * @param {"png" | "svg"} format
  * @param {Publication} [publication]
  */

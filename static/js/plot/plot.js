@@ -6,7 +6,7 @@
 
 import { plainText, put } from "../draw/svg.js";
 import { plain } from "../numbers/format.js";
-import { h } from "../page/dom.js";
+import { h, listen } from "../page/dom.js";
 import {
   arrange,
   bandShapes,
@@ -297,8 +297,6 @@ const BESIDE = 12;
 
 /** @param {PicksOptions} task @returns {() => void} stop listening */
 export function listenForPicks({ area, handle, arrangement, current, steps, onPick, onActive }) {
-  const listening = new AbortController();
-  const { signal } = listening;
   /** @type {{id: number, x: number, y: number, waiting: boolean} | null} */
   let grip = null;
 
@@ -317,9 +315,17 @@ export function listenForPicks({ area, handle, arrangement, current, steps, onPi
     onPick(inRange(value, layout), { settled, fine: event.shiftKey, free: event.altKey });
   };
 
-  area.addEventListener(
-    "pointerdown",
-    (event) => {
+  /** @param {PointerEvent} event */
+  const release = (event) => {
+    if (!grip || event.pointerId !== grip.id) return;
+    const scrolled = grip.waiting && event.type !== "pointerup";
+    grip = null;
+    onActive(false);
+    if (!scrolled) pick(event, true);
+  };
+  const listening = new AbortController();
+  listen(area, listening.signal, {
+    pointerdown(event) {
       const layout = arrangement();
       if (!layout || !event.isPrimary || event.button !== 0) return;
       const bounds = area.getBoundingClientRect();
@@ -337,12 +343,7 @@ export function listenForPicks({ area, handle, arrangement, current, steps, onPi
       event.preventDefault();
       pick(event, false);
     },
-    { signal },
-  );
-
-  area.addEventListener(
-    "pointermove",
-    (event) => {
+    pointermove(event) {
       if (!grip || event.pointerId !== grip.id) return;
       if (grip.waiting) {
         if (Math.abs(event.clientX - grip.x) < SIDEWAYS) return;
@@ -352,23 +353,11 @@ export function listenForPicks({ area, handle, arrangement, current, steps, onPi
       }
       pick(event, false);
     },
-    { signal },
-  );
-
-  /** @param {PointerEvent} event */
-  const release = (event) => {
-    if (!grip || event.pointerId !== grip.id) return;
-    const scrolled = grip.waiting && event.type !== "pointerup";
-    grip = null;
-    onActive(false);
-    if (!scrolled) pick(event, true);
-  };
-  area.addEventListener("pointerup", release, { signal });
-  area.addEventListener("pointercancel", release, { signal });
-
-  handle.addEventListener(
-    "keydown",
-    (event) => {
+    pointerup: release,
+    pointercancel: release,
+  });
+  listen(handle, listening.signal, {
+    keydown(event) {
       const layout = arrangement();
       const from = current();
       if (!layout || from === null || event.ctrlKey || event.metaKey) return;
@@ -391,7 +380,6 @@ export function listenForPicks({ area, handle, arrangement, current, steps, onPi
       const value = Number(inRange(target, layout).toPrecision(12));
       onPick(value, { settled: true, fine: event.shiftKey, free: true });
     },
-    { signal },
-  );
+  });
   return () => listening.abort();
 }

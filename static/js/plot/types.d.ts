@@ -305,3 +305,22 @@ interface DrawnLine {
   rest: Element[];
   scale: Plotly.FullAxis;
 }
+
+/** A plot to stand alone. */
+interface Picture {
+  /** Above the plot, unless it is empty. */
+  title: string;
+  /** Paragraphs below it. */
+  caption?: readonly string[];
+  /** On every side, px. */
+  padding?: number;
+  traces: readonly Trace[];
+  marks: readonly Mark[];
+  bands?: readonly Band[];
+  /** Names at the curves. */
+  most?: number;
+  axes: Axes;
+  theme: Theme;
+  /** Without legend and caption. */
+  size: Size;
+}

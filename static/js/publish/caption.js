@@ -3,11 +3,6 @@
 import { plain } from "../numbers/format.js";
 import { load } from "../server/api.js";
 
-/**
- * @typedef {{id: string, title: string, reference: string}} Entry
- * @typedef {{id: string, name: string, kind: string, wavelength_nm: number | null, source: string, doi: string[]}} Preset
- */
-
 /** @param {string} text */
 const sentence = (text) =>
   `${text.replace(/^\p{Ll}(?=\p{L})/u, (letter) => letter.toUpperCase()).replace(/[.\s]+$/u, "")}.`;
@@ -22,8 +17,8 @@ function numbersOf(answer) {
 }
 
 /**
- * @param {Preset} preset
- * @param {Medium} medium
+ * @param {CitedPreset} preset
+ * @param {CitedMedium} medium
  */
 function cited({ name, kind, wavelength_nm, source, doi }, { at_nm, of }) {
   const links = doi.filter((one) => !source.includes(one)).map((one) => `, doi:${one}`);
@@ -36,7 +31,7 @@ function cited({ name, kind, wavelength_nm, source, doi }, { at_nm, of }) {
 /**
  * The sources of what is drawn.
  * @param {readonly string[]} ids of curves: `schlick`, `schlick.R_r`, `exact@1.5`
- * @param {readonly Medium[]} media
+ * @param {readonly CitedMedium[]} media
  * @param {string} call that was drawn
  * @returns {Promise<string[]>} whom to cite, a paragraph each
  */
@@ -48,13 +43,13 @@ async function sourcesOf(ids, media, call) {
     load(fitted ? "/albedo/fits" : "/models?fields=id,title,reference"),
     load("/materials?fields=id,name,kind,wavelength_nm,source,doi"),
   ]);
-  const entries = /** @type {Entry[]} */ (fitted ? listed.fits : listed.models);
+  const entries = /** @type {Cited[]} */ (fitted ? listed.fits : listed.models);
   return [
     ...entries
       .filter(({ id }) => id !== "exact" && drawn.has(id))
       .map(({ title, reference }) => sentence(`${title}: ${reference}`)),
     ...media.flatMap((medium) => {
-      const preset = /** @type {Preset[]} */ (materials).find(({ id }) => id === medium.id);
+      const preset = /** @type {CitedPreset[]} */ (materials).find(({ id }) => id === medium.id);
       return preset ? [cited(preset, medium)] : [];
     }),
   ];
@@ -62,7 +57,7 @@ async function sourcesOf(ids, media, call) {
 
 /**
  * @param {{name: string, ids: readonly string[]}} figure
- * @param {readonly Medium[]} media
+ * @param {readonly CitedMedium[]} media
  * @param {{call: string, href: string, version: string}} page `call` is the path that it shows
  */
 export async function captionOf({ name, ids }, media, { call, href, version }) {
@@ -74,14 +69,7 @@ export async function captionOf({ name, ids }, media, { call, href, version }) {
   ].join("\n");
 }
 
-/**
- * @typedef {object} Medium
- * @property {string} id of the preset
- * @property {number | null} [at_nm] where it is taken; null is the preset's own wavelength
- * @property {string} [of] the only index that is taken
- */
-
-/** @param {Behind} behind @returns {Medium[]} */
+/** @param {Behind} behind @returns {CitedMedium[]} */
 export function mediaBehind({ state, indices = [], presets = [] }) {
   const shown = presets.map((id) => ({ id }));
   if (!state) return shown;

@@ -7,15 +7,6 @@ import { tooSmall } from "../plot/publication.js";
 import { load } from "../server/api.js";
 import { captionOf, mediaBehind } from "./caption.js";
 
-/**
- * @typedef {object} Task
- * @property {Published[]} figures
- * @property {string} call a part of the REST call that they show
- * @property {Behind} behind
- * @property {string} name of the files
- * @property {(name: string, blob: Blob) => void} save
- */
-
 const GROUNDS = /** @type {const} */ ([
   ["white", "white"],
   ["clear", "transparent"],
@@ -29,7 +20,7 @@ const SIZES = /** @type {const} */ ([
 const REST = 250; // ms without a change before the preview is drawn
 
 function createDialog() {
-  /** @type {Task} */
+  /** @type {PublishTask} */
   let task = { figures: [], call: "", behind: {}, name: "", save: () => {} };
   /** A figure's own words and what was made of them. @type {Map<string, string>} */
   const edited = new Map();
@@ -171,7 +162,7 @@ function createDialog() {
     for (const one of words) one.placeholder = loading ? "Looking up the sources…" : "";
   }
 
-  /** @param {Task} next */
+  /** @param {PublishTask} next */
   function prepare(next) {
     task = next;
     turn += 1; // a preview that is still being drawn is of another figure
@@ -190,7 +181,7 @@ function createDialog() {
     asked();
   }
 
-  /** @param {Task} next @returns {Promise<string[]>} */
+  /** @param {PublishTask} next @returns {Promise<string[]>} */
   async function captionsOf({ figures, call: part, behind }) {
     const calls = [...document.querySelectorAll("#calls code")].map((code) =>
       (code.textContent ?? "").replace(/^GET \/api\/v1/u, ""),
@@ -206,7 +197,7 @@ function createDialog() {
   }
 
   return {
-    /** @param {Task} next */
+    /** @param {PublishTask} next */
     async open(next) {
       prepare(next);
       dialog.showModal();
@@ -229,7 +220,7 @@ function createDialog() {
 /** @type {Promise<ReturnType<typeof createDialog>> | null} */
 let dialog = null;
 
-/** @param {Task} task */
+/** @param {PublishTask} task */
 export async function publish(task) {
   dialog ??= loadStyle("css/publish.css").then(createDialog);
   await (await dialog).open(task);
