@@ -14,7 +14,8 @@ import {
   wavelengthProperty,
 } from "../../static/js/media/wavelength.js";
 import { decoded } from "../../static/js/numbers/srgb.js";
-import { arrange, bandShapes, logTicks } from "../../static/js/plot/figure.js";
+import { bandShapes } from "../../static/js/plot/bands.js";
+import { arrange, logTicks } from "../../static/js/plot/figure.js";
 import { LinkError } from "../../static/js/state/state.js";
 
 /** @param {string} id @param {object} [more] @returns {any} */

@@ -35,7 +35,7 @@ export function createChoice({ legend, items, several = false, listed = false, o
       inputs.forEach((input, i) => {
         input.checked = values.includes(input.value);
         const reason = reasons?.get(input.value);
-        const label = /** @type {HTMLElement} */ (labels[i]);
+        const label = labels[i];
         if ((label.dataset.reason ?? "") !== (reason ?? "")) {
           if (reason) label.dataset.reason = reason;
           else delete label.dataset.reason;
@@ -271,7 +271,7 @@ export function createRow({
     // The slider reaches what the box or a link says, also beyond "more".
     const outside = value < range[0] || value > range[1];
     const [c, d] = outside && wide ? wide : [a, b];
-    return /** @type {[number, number]} */ ([Math.min(c, value), Math.max(d, value)]);
+    return [Math.min(c, value), Math.max(d, value)];
   }
 
   /** @type {ReturnType<typeof import("./player.js").createPlayer> | null} */
@@ -494,5 +494,3 @@ export function createRow({
     stop: () => player?.stop(),
   };
 }
-
-/** @typedef {ReturnType<typeof createRow>} Row */

@@ -188,7 +188,7 @@ export function createParameters({ models, state, actions, prefix = "" }) {
           : p.triple
             ? tripleControl(p, name, prefix, change, actions.settle)
             : numberRow(p, name, prefix, change, actions.settle);
-        return [name, /** @type {Control} */ (control)];
+        return [name, control];
       }),
     );
     const box = h(

@@ -115,15 +115,15 @@ export function allLandmarksOf(media) {
 export function locate(xs, x) {
   let low = 0;
   let high = xs.length - 1;
-  if (high < 1 || x <= /** @type {number} */ (xs[0])) return { index: 0, fraction: 0 };
-  if (x >= /** @type {number} */ (xs[high])) return { index: high, fraction: 0 };
+  if (high < 1 || x <= xs[0]) return { index: 0, fraction: 0 };
+  if (x >= xs[high]) return { index: high, fraction: 0 };
   while (high - low > 1) {
     const middle = (low + high) >> 1;
-    if (/** @type {number} */ (xs[middle]) <= x) low = middle;
+    if (xs[middle] <= x) low = middle;
     else high = middle;
   }
-  const x0 = /** @type {number} */ (xs[low]);
-  const x1 = /** @type {number} */ (xs[high]);
+  const x0 = xs[low];
+  const x1 = xs[high];
   return { index: low, fraction: x1 > x0 ? (x - x0) / (x1 - x0) : 0 };
 }
 
@@ -220,7 +220,7 @@ export function angleAxis({ angle }) {
   const rad = angle === "rad";
   return {
     title: `angle of incidence θᵢ (${rad ? "rad" : "degrees"})`,
-    range: /** @type {[number, number]} */ ([0, inUnit(90, angle)]),
+    range: [0, inUnit(90, angle)],
     ticks: {
       values: DEGREES.map((d) => inUnit(d, angle)),
       text: rad ? TWELFTHS : DEGREES.map((d) => `${d}°`),
@@ -238,15 +238,12 @@ export function axesOf(shown) {
     x: angleAxis(shown),
     y: {
       title: shown.show.includes("T") ? "reflectance, transmittance" : "reflectance",
-      range: /** @type {[number, number]} */ ([0, 1]),
+      range: [0, 1],
     },
     y2: shown.show.includes("phase")
       ? {
           title: "phase",
-          range: /** @type {[number, number]} */ ([
-            inUnit(-190, shown.angle),
-            inUnit(190, shown.angle),
-          ]),
+          range: [inUnit(-190, shown.angle), inUnit(190, shown.angle)],
           ticks: {
             values: PHASES.map((d) => inUnit(d, shown.angle)),
             text: rad ? HALVES : PHASES.map((d) => `${d}°`.replace("-", "−")),

@@ -112,11 +112,11 @@ export function arrowSize(share, stage) {
 }
 
 /**
- * Where the signs of polarization stand on a ray, clear of its arrow's head and of each other.
+ * Where the signs of polarization stand on a ray, clear of its arrow's head and of each other, in px.
  * @param {Stage} stage
- * @param {{from: number, to: number} | null} head px from the point of incidence; none on the incident ray
+ * @param {{from: number, to: number} | null} head none on the incident ray
  * @param {boolean} both
- * @returns {{s: number, p: number}} px from the point of incidence
+ * @returns {{s: number, p: number}}
  */
 export function signPlaces({ length, arc, unit }, head, both) {
   if (!head)

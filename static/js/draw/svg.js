@@ -156,7 +156,7 @@ export function setLabel(node, label) {
   while (node.childElementCount < parts.length) svg("tspan", {}, node);
   let lowered = false;
   parts.forEach((run, index) => {
-    const span = /** @type {SVGTSpanElement} */ (node.children[index]);
+    const span = node.children[index];
     const words = span.firstChild;
     // the node stays, which spares the page a change of its tree
     if (words instanceof Text) {
@@ -257,12 +257,12 @@ export function crosses({ x1, y1, x2, y2 }, box) {
   const dy = y2 - y1;
   let enter = 0;
   let leave = 1;
-  for (const [p, q] of /** @type {[number, number][]} */ ([
+  for (const [p, q] of [
     [-dx, x1 - box.x],
     [dx, box.x + box.width - x1],
     [-dy, y1 - box.y],
     [dy, box.y + box.height - y1],
-  ])) {
+  ]) {
     if (p === 0) {
       if (q < 0) return false;
       continue;

@@ -1,8 +1,7 @@
 /** The numbers of the Explore view: shown with six digits, copied in full. */
 
 import { angle, inUnit, six } from "../numbers/format.js";
-import { h, setText, symbol } from "../page/dom.js";
-import { copying } from "../page/exports.js";
+import { copying, h, setText, symbol } from "../page/dom.js";
 
 /** While something moves, the numbers are written as often as an eye can catch, ms apart. */
 const READABLE = 100;

@@ -1,7 +1,6 @@
 /** A figure with its heading, its controls, what went wrong with it, its files and its data table. */
 
-import { h, setText } from "../page/dom.js";
-import { createDataTables, createExports } from "../page/exports.js";
+import { createDataTables, createExports, h, setText } from "../page/dom.js";
 
 /**
  * @typedef {Published & {exportAs: (format: 'png' | 'svg' | 'csv') => Promise<Blob>, table: () => HTMLTableElement,

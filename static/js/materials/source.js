@@ -2,8 +2,7 @@
 
 import { stretch } from "../media/wavelength.js";
 import { plain } from "../numbers/format.js";
-import { h } from "../page/dom.js";
-import { copying } from "../page/exports.js";
+import { copying, h } from "../page/dom.js";
 import { html, nothing, render } from "../page/lit.js";
 import { narrow } from "./columns.js";
 

@@ -195,7 +195,7 @@ export function createInterface({
       steps: INDEX_STEPS,
       onChange: (value, moving) =>
         actions.set(
-          { [name]: value, [/** @type {string} */ (PRESETS[name])]: null },
+          { [name]: value, [PRESETS[name]]: null },
           { history: moving ? "replace" : "push" },
         ),
       onSettle: actions.settle,

@@ -1,8 +1,7 @@
 /** One box that finds views, media, models and formulas, and does what has a key. */
 
 import { matching } from "../controls/picker.js";
-import { h } from "./dom.js";
-import { copyText } from "./exports.js";
+import { copyText, h } from "./dom.js";
 import { addressOf, follow } from "./links.js";
 import { loadStyle } from "./style.js";
 

@@ -1,7 +1,6 @@
 /** What stands around every view: tabs, theme, notices, the line that shows work, the footer, the keys. */
 
-import { byId, h, setText } from "./dom.js";
-import { copying } from "./exports.js";
+import { byId, copying, h, setText } from "./dom.js";
 
 const NOTICEABLE = 250; // ms: work that is done sooner is not shown
 const THEMES = /** @type {const} */ (["auto", "light", "dark"]);

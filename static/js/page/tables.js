@@ -1,8 +1,7 @@
 /** Parts of tables as templates: headings to sort by, numbers that are copied, and what copies all of them. */
 
 import { six } from "../numbers/format.js";
-import { h } from "./dom.js";
-import { copying } from "./exports.js";
+import { copying, h } from "./dom.js";
 import { html, nothing } from "./lit.js";
 
 /**

@@ -1,7 +1,8 @@
 /** A plot as a file that stands alone: title, names, marks and background included. */
 
 import { advances, createMeasure, plainText, plotlyText } from "../draw/svg.js";
-import { arrange, bandShapes, CONFIG, plotlyLayout, plotlyTraces } from "./figure.js";
+import { bandShapes } from "./bands.js";
+import { arrange, CONFIG, plotlyLayout, plotlyTraces } from "./figure.js";
 import { fontFaces, rasterized, withStyle } from "./image.js";
 import { keyRows } from "./legend.js";
 import { MOST_LABELS, placeLabels, placeMarkNames } from "./overlay.js";

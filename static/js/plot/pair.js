@@ -3,8 +3,7 @@
 import { createChoice } from "../controls/panel.js";
 import { locate, read } from "../curves/reading.js";
 import { createChanged } from "../page/changed.js";
-import { h } from "../page/dom.js";
-import { createDataTables, createExports } from "../page/exports.js";
+import { createDataTables, createExports, h } from "../page/dom.js";
 import { createPlot } from "./plot.js";
 
 /**

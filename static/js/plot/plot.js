@@ -9,7 +9,6 @@ import { plain } from "../numbers/format.js";
 import { h, listen } from "../page/dom.js";
 import {
   arrange,
-  bandShapes,
   CONFIG,
   createFastPath,
   createHost,
@@ -122,6 +121,8 @@ export function createPlot(element, options) {
     if (!size || traces.length === 0) return;
     const theme = host.theme();
     overlay.useFaces(theme);
+    const shapes = bands.length ? (await import("./bands.js")).bandShapes(bands, theme) : [];
+    if (own !== turn) return;
     marksRow ||= marks.some((mark) => mark.kind === "landmark");
     arrangement = arrange({
       size,
@@ -137,7 +138,7 @@ export function createPlot(element, options) {
       // The fast path changes what is on the page behind Plotly's back: never let it compare.
       {
         ...plotlyLayout(axes, arrangement, theme),
-        shapes: bandShapes(bands, theme),
+        shapes,
         datarevision: own,
       },
       CONFIG,

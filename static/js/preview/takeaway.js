@@ -2,9 +2,9 @@
 
 import { h } from "../page/dom.js";
 import { createProblems } from "../page/trouble.js";
+import { freshOf } from "../state/state.js";
 import { withCode } from "./fields.js";
 import { later } from "./queries.js";
-import { freshOf } from "../state/state.js";
 
 /** @param {Pick<ViewContext, 'catalog' | 'state' | 'actions' | 'say' | 'save'>} context */
 export function createTakeaway({ catalog, state, actions, say, save }) {

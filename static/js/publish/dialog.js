@@ -1,7 +1,6 @@
 /** The sheet where a figure is fitted to a paper or a slide: ground, size, letters, caption, and a preview. */
 
-import { h, setText } from "../page/dom.js";
-import { saveEach } from "../page/exports.js";
+import { h, saveEach, setText } from "../page/dom.js";
 import { loadStyle } from "../page/style.js";
 import { tooSmall } from "../plot/publication.js";
 import { load } from "../server/api.js";

@@ -2,8 +2,7 @@
 
 import { createChoices } from "../controls/panel.js";
 import { createSelect } from "../controls/select.js";
-import { h } from "../page/dom.js";
-import { copyText, flash } from "../page/exports.js";
+import { copyText, flash, h } from "../page/dom.js";
 import { html, nothing, render } from "../page/lit.js";
 import { loadStyle } from "../page/style.js";
 import { sayProblem } from "../page/trouble.js";

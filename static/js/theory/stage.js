@@ -4,8 +4,7 @@ import { axesOf, landmarksOf, pointsAt, readingAt, values } from "../curves/read
 import { createDiagram, createSplit } from "../diagram/diagram.js";
 import { CHANNELS, modelTraces, shortTitle } from "../models/look.js";
 import { clamp, snap, stepped } from "../numbers/format.js";
-import { h, setText } from "../page/dom.js";
-import { createDataTables } from "../page/exports.js";
+import { createDataTables, h, setText } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
 import { DEGREES } from "./rows.js";
 

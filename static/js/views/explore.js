@@ -7,8 +7,7 @@ import { createControls } from "../explore/controls.js";
 import { createNumbers } from "../explore/numbers.js";
 import { nameable, spreadPaths } from "../media/media.js";
 import { angle, clamp, inDegrees, inUnit, percent, snap, stepped } from "../numbers/format.js";
-import { h } from "../page/dom.js";
-import { createDataTables, createExports } from "../page/exports.js";
+import { createDataTables, createExports, h } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
 import { choice, list, mediaQuery, parameterFields, parameterQuery, path } from "../state/state.js";
 
