@@ -19,7 +19,7 @@ import { locate, read, values } from "../curves/reading.js";
  * @property {string[]} text paragraphs; `$…$` is mathematics
  * @property {string} [formula] of `/formulas`, shown with a link
  * @property {string} [code] what people write
- * @property {'surface' | 'curves' | 'colors' | 'coat'} picture `surface` is the ray beside the curves
+ * @property {'colors' | 'coat'} [picture] in place of the ray beside the curves
  * @property {Partial<Setting>} at
  * @property {Partial<Record<RowName, [number, number]>>} [rows] what can be moved, with the slider's range
  * @property {string[]} [models]

@@ -109,7 +109,7 @@ export function createLessons({ lessons, key, title, intro, context }) {
         })
       : null;
     stage.element.hidden = picture === "coat";
-    stage.element.dataset.picture = picture;
+    stage.element.dataset.picture = picture ?? "surface";
     coat.element.hidden = picture !== "coat";
     stage.explain(KEYS[models.join()] ?? "");
     draw(settingOf(state(), lesson));
@@ -216,7 +216,7 @@ export function createLessons({ lessons, key, title, intro, context }) {
         live = lesson.live({ ...scene, reading });
       const touched = Object.keys(UNTOUCHED).some((name) => now[name] !== null);
       // What is swept past in a gesture is not found.
-      const fair = picture === "surface" ? answered && touched : touched || picture === "coat";
+      const fair = picture ? touched || picture === "coat" : answered && touched;
       if (fair && !moving) judge(scene);
       draw(setting);
     },

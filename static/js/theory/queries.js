@@ -23,7 +23,6 @@ export const GUESS = {
   id: "guess",
   title: "Mystery material",
   text: [],
-  picture: "surface",
   at: { n_t: 1.2, k_t: 0, deg: 60 },
   rows: { own_n: [0.05, 5], own_k: [0, 8], own_deg: [0, 90] },
   quantities: [],

@@ -142,7 +142,7 @@ export function createStage({ catalog, name, actions }) {
     update(lesson, setting, answers, moving, more = []) {
       theta = setting.deg;
       const models = lesson.models ?? [];
-      ray.hidden = lesson.picture !== "surface";
+      ray.hidden = lesson.picture !== undefined;
       key.hidden = lesson.picture !== "colors";
       if (lesson.picture === "colors") {
         marks = [];

@@ -16,6 +16,13 @@ function against(scene, model, name) {
   return `Here: exact ${percent(scene.reading.R)}, ${name} ${percent(wrong)}. Largest error ${short(worst.max_abs)}, at ${angle(worst.max_abs_at_deg, "deg", 1)}.`;
 }
 
+/** What a lesson has about a wrong model: its error is told, and that of the right ones. @param {string} model @param {string} name @param {string[]} [right] */
+const mistake = (model, name, right = []) => ({
+  models: [model, ...right],
+  errors: [model, ...right],
+  live: (/** @type {import('./lesson.js').ReadScene} */ scene) => against(scene, model, name),
+});
+
 /** @type {Lesson[]} */
 export const TRAPS = [
   {
@@ -27,13 +34,10 @@ export const TRAPS = [
       "The cure takes two lines: take $\\cos\\theta_t$ where $n_i>n_t$, and 1 beyond the critical angle.",
     ],
     formula: "model.schlick_tir",
-    picture: "surface",
     at: { n_i: 1.5, n_t: 1, deg: 44 },
     names: ["glass", "air"],
     rows: { own_deg: [0, 90], own_i: [1.01, 2.5] },
-    models: ["schlick_wrong_angle", "schlick_tir"],
-    errors: ["schlick_wrong_angle", "schlick_tir"],
-    live: (scene) => against(scene, "schlick_wrong_angle", "with the wrong angle"),
+    ...mistake("schlick_wrong_angle", "with the wrong angle", ["schlick_tir"]),
     tries: [
       {
         say: "Find an angle where the wrong curve misses by more than 0.9.",
@@ -61,13 +65,10 @@ export const TRAPS = [
       "Colors from pictures, pickers and hex codes are encoded; light adds up in linear numbers only. Decode first, or mark the texture as sRGB so that the hardware does it.",
     ],
     formula: "conversion.f0_srgb",
-    picture: "surface",
     at: { n_t: 1.5, deg: 20 },
     names: ["air", "glass"],
     rows: { own_deg: [0, 90], own_n: [1.05, 4], own_k: [0, 6] },
-    models: ["schlick_f0_srgb", "schlick"],
-    errors: ["schlick_f0_srgb", "schlick"],
-    live: (scene) => against(scene, "schlick_f0_srgb", "undecoded"),
+    ...mistake("schlick_f0_srgb", "undecoded", ["schlick"]),
     tries: [
       {
         say: "Find an index for which it is more than 0.2 off.",
@@ -110,13 +111,10 @@ export const TRAPS = [
       "Take the modulus of each amplitude first: $R=\\tfrac12(|r_s|^2+|r_p|^2)$. At $k=0$ both agree, which is why a test with glass does not find the mistake.",
     ],
     formula: "model.complex_dielectric",
-    picture: "surface",
     at: { n_t: 1.5, k_t: 2, deg: 70 },
     names: ["air", "metal"],
     rows: { own_deg: [0, 90], own_n: [0.1, 4], own_k: [0, 6] },
-    models: ["complex_dielectric"],
-    errors: ["complex_dielectric"],
-    live: (scene) => against(scene, "complex_dielectric", "misunderstood"),
+    ...mistake("complex_dielectric", "misunderstood"),
     tries: [
       {
         say: "Bring $k$ to 0: where has the mistake gone?",
@@ -140,13 +138,10 @@ export const TRAPS = [
       "Four percent is the reflectance of an index of 1.5, and a good guess. But water has half of it, gems have several times as much, and under water everything has less: $F_0$ belongs to a pair of media.",
     ],
     formula: "model.schlick_four_percent",
-    picture: "surface",
     at: { n_t: 1.333, deg: 0 },
     names: ["air", "water"],
     rows: { own_deg: [0, 90], own_n: [1, 3], own_i: [1, 2] },
-    models: ["schlick_four_percent"],
-    errors: ["schlick_four_percent"],
-    live: (scene) => against(scene, "schlick_four_percent", "with 4 %"),
+    ...mistake("schlick_four_percent", "with 4 %"),
     tries: [
       {
         say: "Put glass, 1.5, under water, 1.333: how much is left of the 4 %?",
