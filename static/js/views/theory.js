@@ -100,10 +100,10 @@ export function createView(context) {
       section.element.tabIndex = -1;
       place.append(section.element);
       section.theme?.(); // colors and faces are those of the place in the document
+      actions.set({}, { history: "none" });
     } catch {
       making.delete(id); // the network: the next change tries again
     }
-    actions.set({}, { history: "none" });
   }
 
   return {
