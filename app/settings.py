@@ -1,7 +1,5 @@
 """Settings, each an environment variable that starts with FRESNEL_."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from difflib import get_close_matches
 from pathlib import Path

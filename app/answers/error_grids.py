@@ -1,7 +1,5 @@
 """Errors of one model along a line and over a rectangle of interfaces."""
 
-from __future__ import annotations
-
 from typing import Literal, cast
 
 import numpy as np

@@ -1,7 +1,5 @@
 """How wrong models are at one interface."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Annotated, Any, Literal

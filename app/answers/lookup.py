@@ -1,7 +1,5 @@
 """Tables for a renderer, each with the measured error of reading between its texels."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Annotated, Any

@@ -1,7 +1,5 @@
 """Lookup tables as files: PNG, OpenEXR, NPY."""
 
-from __future__ import annotations
-
 import io
 from collections.abc import Mapping
 from typing import Any

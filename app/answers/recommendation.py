@@ -1,7 +1,5 @@
 """Which models stay within an error at an interface, cheapest first, and why the others do not."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import asdict
 from typing import Any

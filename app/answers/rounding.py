@@ -1,7 +1,5 @@
 """Numbers with fewer digits."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass, replace
 from typing import Any

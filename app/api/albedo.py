@@ -1,7 +1,5 @@
 """`/albedo`, its fits, sweep and map, and `/albedo/coat`: what a surface reflects of diffuse light."""
 
-from __future__ import annotations
-
 from collections import Counter
 from typing import Annotated, ClassVar
 

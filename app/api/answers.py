@@ -1,7 +1,5 @@
 """What an endpoint returns: ready bytes, or the work that makes them."""
 
-from __future__ import annotations
-
 from functools import partial
 
 from starlette.responses import Response

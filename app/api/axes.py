@@ -1,7 +1,5 @@
 """Axes of a sweep, a map or a table that a query asks for."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from pydantic import Field

@@ -1,7 +1,5 @@
 """`/claims`: what the literature and popular code claim, measured by this server's own routes."""
 
-from __future__ import annotations
-
 from typing import Annotated, get_args
 
 from fastapi import APIRouter, Query

@@ -1,7 +1,5 @@
 """`/convert`: an interface in every other form, each with what is lost."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Query

@@ -1,7 +1,5 @@
 """`/curves`: reflectance over the angle of incidence, of any models."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 from fastapi import APIRouter, Query

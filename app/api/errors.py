@@ -1,7 +1,5 @@
 """`/errors`, `/errors/sweep` and `/errors/map`: how wrong models are."""
 
-from __future__ import annotations
-
 from typing import Annotated, ClassVar, Literal
 
 from fastapi import APIRouter, Query

@@ -1,7 +1,5 @@
 """`/formulas`: everything that is registered as a formula, explained, and its curve."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Literal
 
 from fastapi import APIRouter, Query

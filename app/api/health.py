@@ -1,7 +1,5 @@
 """`/health`: whether the server works, what it is made of, and whether it wants more to do."""
 
-from __future__ import annotations
-
 from importlib.metadata import version
 from typing import Literal
 

@@ -1,7 +1,5 @@
 """`/lut` and `/lut/errors`: tables for a renderer, each with the error of reading between its texels."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query

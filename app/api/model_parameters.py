@@ -1,7 +1,5 @@
 """Which models a query asks for, and their own parameters, spelled `<model>.<parameter>`."""
 
-from __future__ import annotations
-
 import inspect
 from collections import Counter
 from collections.abc import Callable, Sequence

@@ -1,7 +1,5 @@
 """`/models`, `/models/{id}` and `/parameters`: what is registered and declared."""
 
-from __future__ import annotations
-
 from dataclasses import fields
 from typing import Annotated
 

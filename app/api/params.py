@@ -1,7 +1,5 @@
 """Query parameters: pydantic models made from the core's declarations, and what is refused."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, Self

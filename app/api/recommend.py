@@ -1,7 +1,5 @@
 """`/recommend`: the cheapest models that stay within an error."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query

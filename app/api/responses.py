@@ -1,7 +1,5 @@
 """Answers written by hand; they go as routes return typed ones."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -1,7 +1,5 @@
 """`/snell`: one ray at the interface."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 from fastapi import APIRouter, Query

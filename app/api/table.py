@@ -1,7 +1,5 @@
 """The API's routes by their paths: for the front, and to be asked within the process."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from functools import partial
 from typing import Any

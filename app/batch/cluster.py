@@ -1,7 +1,5 @@
 """Batches evaluated by the workers of a Dask cluster."""
 
-from __future__ import annotations
-
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any

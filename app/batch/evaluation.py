@@ -1,7 +1,5 @@
 """Rows answered by groups, each by one call of a model."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import repeat

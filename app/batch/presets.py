@@ -1,7 +1,5 @@
 """Rows that name presets, given the numbers that those stand for."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from typing import NamedTuple

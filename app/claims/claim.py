@@ -1,7 +1,5 @@
 """What a claim is: who said what, which requests measure it, and what has to come out."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from string import Formatter

@@ -1,7 +1,5 @@
 """Figures that many claims are judged by."""
 
-from __future__ import annotations
-
 from app.claims.claim import Figure
 from app.claims.readings import value
 

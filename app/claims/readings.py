@@ -1,7 +1,5 @@
 """Which number of an answer a figure is: the rule in words that a reader can follow, and as code."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Every claim of the modules in `app.claims.topics`; adding a file there adds its claims."""
 
-from __future__ import annotations
-
 import importlib
 import pkgutil
 from collections.abc import Mapping

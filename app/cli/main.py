@@ -1,7 +1,5 @@
 """The command `fresnel-explorer`."""
 
-from __future__ import annotations
-
 import os
 from typing import Annotated
 

@@ -1,7 +1,5 @@
 """Figures in the terminal, in a browser and in files."""
 
-from __future__ import annotations
-
 import re
 import shutil
 import tempfile

@@ -1,7 +1,5 @@
 """Commands that ask the API's routes in this process: same parameters, same answers, no server."""
 
-from __future__ import annotations
-
 import inspect
 import sys
 from collections.abc import Callable, Mapping

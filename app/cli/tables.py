@@ -1,7 +1,5 @@
 """Answers of the API as tables of words and numbers, for a terminal and as CSV."""
 
-from __future__ import annotations
-
 import csv
 import io
 from collections.abc import Callable, Iterator, Mapping, Sequence

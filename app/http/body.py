@@ -1,7 +1,5 @@
 """Bytes in the encodings that clients ask for, each made once, and 304 for who has them."""
 
-from __future__ import annotations
-
 import gzip
 from base64 import urlsafe_b64encode
 from collections.abc import Iterable, Mapping

@@ -1,7 +1,5 @@
 """Bounds on what a request may bring along, and on how long a client may leave an answer unread."""
 
-from __future__ import annotations
-
 import asyncio
 from collections.abc import Iterator
 

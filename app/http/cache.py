@@ -1,7 +1,5 @@
 """Finished answers by their address, within a bound on the bytes they take."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from typing import Any
 

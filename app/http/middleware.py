@@ -1,7 +1,5 @@
 """How requests reach their route: which hosts and origins, HEAD by the way of GET, the page last."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Collection, Mapping
 

@@ -1,7 +1,5 @@
 """Every error as an RFC 9457 problem, in one shape."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from difflib import get_close_matches
 from http import HTTPStatus

@@ -1,7 +1,5 @@
 """Queries as pydantic models: strict numbers, how much one asks for, and how it is to be sent."""
 
-from __future__ import annotations
-
 import math
 import re
 from typing import Annotated, ClassVar, Literal

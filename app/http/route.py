@@ -1,7 +1,5 @@
 """The route class of the API: strict queries, validated once, and endpoints that are pure functions."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Callable, Coroutine, Mapping
 from contextlib import AsyncExitStack

@@ -1,7 +1,5 @@
 """What the routes of one server share: its bounds, its threads, how long answers may be kept."""
 
-from __future__ import annotations
-
 import asyncio
 from collections.abc import Callable, Hashable
 

@@ -1,7 +1,5 @@
 """Answers as bytes: JSON by orjson, tables as CSV."""
 
-from __future__ import annotations
-
 import csv
 import io
 import math

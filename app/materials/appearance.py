@@ -5,8 +5,6 @@ and the color is the integral of that. A material whose k is not known counts as
 every result that holds an end value or such a k says so in its warnings.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 

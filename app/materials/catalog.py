@@ -1,7 +1,5 @@
 """The presets by id, alias and category, loaded once; spectra when they are asked for."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The nine dispersion formulas of the refractiveindex.info database."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What the materials raise: errors that name the parameter, the value and what is allowed."""
 
-from __future__ import annotations
-
 from app.optics.errors import NotAllowed, OpticsError, OutOfRange, UnknownName
 
 

@@ -1,7 +1,5 @@
 """Where the data files are: in the checkout or inside the installed wheel."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 

@@ -1,7 +1,5 @@
 """Presets as the two media of a boundary: what may be known of them, and what counts as 0."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache

@@ -4,8 +4,6 @@ What answers pass on as it was read, a preset or a provenance, is a dataclass: O
 descriptions of its fields from here.
 """
 
-from __future__ import annotations
-
 from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator

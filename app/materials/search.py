@@ -1,7 +1,5 @@
 """Which materials a word means, and which it may have meant."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from difflib import get_close_matches
 

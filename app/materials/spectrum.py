@@ -1,7 +1,5 @@
 """n and k of one material as functions of the wavelength, only where its source gives them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """The page's service worker: its script with the files to keep and a version made of them."""
 
-from __future__ import annotations
-
 import json
 from functools import lru_cache
 from hashlib import sha256

@@ -1,7 +1,5 @@
 """The way out: a server told to stop says so first, and goes on answering until nobody asks."""
 
-from __future__ import annotations
-
 import asyncio
 import signal
 import threading

@@ -1,7 +1,5 @@
 """What the C library is told about memory."""
 
-from __future__ import annotations
-
 import ctypes
 import sys
 from contextlib import suppress

@@ -1,7 +1,5 @@
 """Threads for what takes long, so that short requests are answered meanwhile."""
 
-from __future__ import annotations
-
 import asyncio
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor

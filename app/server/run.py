@@ -1,7 +1,5 @@
 """The server as the command runs it."""
 
-from __future__ import annotations
-
 import contextlib
 import ipaddress
 import os

@@ -1,7 +1,5 @@
 """How each language writes a formula."""
 
-from __future__ import annotations
-
 import ast
 import textwrap
 from collections.abc import Sequence

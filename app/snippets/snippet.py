@@ -1,7 +1,5 @@
 """A model as code to take away: its formula with what has to be known of it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """Requests as they come over the wire: no client that would tidy up the path or the query."""
 
-from __future__ import annotations
-
 import asyncio
 import json
 from collections.abc import Mapping

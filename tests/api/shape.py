@@ -1,7 +1,5 @@
 """Answers are of the shape that OpenAPI tells, and have nothing beside."""
 
-from __future__ import annotations
-
 import json
 import re
 from functools import cache

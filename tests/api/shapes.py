@@ -1,7 +1,5 @@
 """Answers of the API, read once they are checked to be what they are declared to be."""
 
-from __future__ import annotations
-
 import csv
 import io
 from typing import Any

@@ -1,7 +1,5 @@
 """The routes about albedos: numbers, shapes, refusals."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from pathlib import Path

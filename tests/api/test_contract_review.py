@@ -1,7 +1,5 @@
 """What the contract fixes and a review found missing: CORS, failures, OpenAPI of tables."""
 
-from __future__ import annotations
-
 import asyncio
 from collections.abc import Callable
 from typing import Any

@@ -1,7 +1,5 @@
 """The route that converts: forms, triples, colors and materials, and refusals."""
 
-from __future__ import annotations
-
 import csv
 import io
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """`/curves`: quantities, samples, landmarks, digits, JSON and CSV."""
 
-from __future__ import annotations
-
 import csv
 import io
 from collections.abc import Callable

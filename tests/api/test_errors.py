@@ -1,7 +1,5 @@
 """The routes about errors: numbers, shapes, refusals."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

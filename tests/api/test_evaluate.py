@@ -1,7 +1,5 @@
 """`POST /evaluate`: the same numbers as elsewhere, in order, whatever else is asked beside them."""
 
-from __future__ import annotations
-
 import asyncio
 import csv
 import io

@@ -1,7 +1,5 @@
 """Presets in `POST /evaluate`: what `/snell` answers and refuses, for many at once."""
 
-from __future__ import annotations
-
 import asyncio
 import csv
 import io

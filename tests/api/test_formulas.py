@@ -1,7 +1,5 @@
 """`/formulas`: what is registered, explained, with curves that anyone can take away."""
 
-from __future__ import annotations
-
 import csv
 import io
 import math

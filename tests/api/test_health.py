@@ -1,7 +1,5 @@
 """`/health` says that the server is well and what it is made of."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from importlib.metadata import version
 

@@ -1,7 +1,5 @@
 """HTTP itself: caches, compression, CORS, security headers, HEAD, and what a real server refuses."""
 
-from __future__ import annotations
-
 import gzip
 import json
 from collections.abc import Iterator

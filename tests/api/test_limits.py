@@ -1,7 +1,5 @@
 """What a client may send, and how much of the server it may have."""
 
-from __future__ import annotations
-
 import asyncio
 import json
 import re

@@ -1,7 +1,5 @@
 """`/lut`: tables in every format, the error they state, and what is refused."""
 
-from __future__ import annotations
-
 import io
 from collections.abc import Callable
 from typing import Any

@@ -1,7 +1,5 @@
 """Spectra, curves and maps of materials: agreement with the core, one another and the figures."""
 
-from __future__ import annotations
-
 import csv
 import io
 from collections.abc import Callable

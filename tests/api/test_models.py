@@ -1,7 +1,5 @@
 """`/models`, `/models/{id}` and `/parameters`, and what one more model file changes."""
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Callable
 from pathlib import Path

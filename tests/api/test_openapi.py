@@ -1,7 +1,5 @@
 """The schema says of every route and parameter what the server does."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import fields
 from typing import Any

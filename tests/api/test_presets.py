@@ -1,7 +1,5 @@
 """`material`, `incident` and `wavelength_nm` in place of numbers, on every route with two media."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Every error is a problem (RFC 9457) that names the parameter, the value and what is allowed."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 from dataclasses import replace

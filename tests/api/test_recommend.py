@@ -1,7 +1,5 @@
 """Recommendations, held against the curves that the API itself sends; every model is accounted for."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

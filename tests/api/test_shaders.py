@@ -1,7 +1,5 @@
 """`/shaders` and `/shaders/{model}`: models as code."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import httpx

@@ -1,7 +1,5 @@
 """`/snell`: one ray, against 30-digit values and in every corner."""
 
-from __future__ import annotations
-
 import cmath
 import json
 from collections.abc import Callable

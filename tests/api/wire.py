@@ -1,7 +1,5 @@
 """A server as the command runs it, in a thread of the tests, and bytes sent to it as they are."""
 
-from __future__ import annotations
-
 import socket
 import threading
 import time

@@ -1,7 +1,5 @@
 """`fresnel-explorer evaluate`: files of rows, on this machine and on a cluster."""
 
-from __future__ import annotations
-
 import re
 import subprocess
 import sys

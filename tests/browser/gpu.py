@@ -1,7 +1,5 @@
 """Running a snippet on Chromium's software GPU, in WebGL2 and in WebGPU."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 from playwright.sync_api import Page

@@ -1,7 +1,5 @@
 """Every snippet, compiled and run by Chromium in 32 bit floats, against the model in 64."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 from typing import Any

@@ -5,8 +5,6 @@ materials come from the catalog, which tests/materials holds against another pac
 computed from them is computed here.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import cache, partial
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Claims: each is reproduced by the requests on its card, and measured a second time."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Mapping

@@ -1,7 +1,5 @@
 """The command: what it prints, where it serves, how it ends."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

@@ -1,7 +1,5 @@
 """The queries of the command line: the API's answers, its parameters and its words."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """The server needs to write nothing: it runs in a container whose file system is read-only."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

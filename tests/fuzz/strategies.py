@@ -1,7 +1,5 @@
 """Requests as anybody might send them: right, nearly right, and hostile, as bytes on the wire."""
 
-from __future__ import annotations
-
 import gzip
 import json
 from collections.abc import Mapping

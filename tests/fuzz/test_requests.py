@@ -3,8 +3,6 @@
 `make fuzz` sends 100,000 of them and prints what came back.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import socket

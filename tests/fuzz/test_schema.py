@@ -1,7 +1,5 @@
 """The schema and the server say the same, of requests that schemathesis makes from the schema."""
 
-from __future__ import annotations
-
 import os
 from typing import Any
 

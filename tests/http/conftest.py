@@ -1,7 +1,5 @@
 """The whole application, asked in process; a crash is an answer 500, not an exception."""
 
-from __future__ import annotations
-
 import asyncio
 from collections.abc import Callable
 from typing import Any

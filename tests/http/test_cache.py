@@ -1,7 +1,5 @@
 """Finished answers: found again by their address, within a bound of memory."""
 
-from __future__ import annotations
-
 import asyncio
 import random
 import threading

@@ -1,7 +1,5 @@
 """What takes long to compress holds nobody up."""
 
-from __future__ import annotations
-
 import threading
 
 import pytest

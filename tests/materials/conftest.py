@@ -1,7 +1,5 @@
 """The catalog that comes with the program."""
 
-from __future__ import annotations
-
 import pytest
 
 from app.materials.catalog import Catalog, load_catalog

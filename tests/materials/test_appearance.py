@@ -1,7 +1,5 @@
 """R over angle and wavelength, and its color."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Finding materials: ids, aliases, typing errors, categories, rivals, constants."""
 
-from __future__ import annotations
-
 import tracemalloc
 from collections import Counter
 

@@ -1,7 +1,5 @@
 """From spectra to linear sRGB."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from itertools import product

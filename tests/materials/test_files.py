@@ -1,7 +1,5 @@
 """Every data file: its schema, its provenance, and that it is the one that was made."""
 
-from __future__ import annotations
-
 import json
 from hashlib import sha256
 from pathlib import Path

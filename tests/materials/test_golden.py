@@ -1,7 +1,5 @@
 """Published and independently computed values: n, F0, F82, charts of engines, rivals."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

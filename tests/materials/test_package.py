@@ -4,8 +4,6 @@ A few values of every spectrum, computed by the package, are kept beside this fi
 everywhere. What needs the package itself runs where the extra `data` is installed.
 """
 
-from __future__ import annotations
-
 import json
 import shutil
 import warnings

@@ -1,7 +1,5 @@
 """n and k of single materials: native points, formulas, ranges, what is not known."""
 
-from __future__ import annotations
-
 import json
 from typing import Any
 

@@ -1,7 +1,5 @@
 """nginx as `deploy/` configures it, before servers on this machine."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import socket

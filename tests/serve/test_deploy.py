@@ -1,7 +1,5 @@
 """What lies in `deploy/` is valid, hardened, and says of the server what is so."""
 
-from __future__ import annotations
-
 import ipaddress
 import re
 from typing import Any

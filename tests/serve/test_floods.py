@@ -1,7 +1,5 @@
 """A plain server and clients that send without end: little is kept, and others are answered."""
 
-from __future__ import annotations
-
 import re
 import resource
 import socket

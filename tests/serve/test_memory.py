@@ -1,7 +1,5 @@
 """Where the server's memory comes from."""
 
-from __future__ import annotations
-
 import platform
 import subprocess
 import sys

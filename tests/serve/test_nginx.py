@@ -1,7 +1,5 @@
 """Two servers behind nginx as `deploy/` configures it: cached, and one may die."""
 
-from __future__ import annotations
-
 import gzip
 import json
 import signal

@@ -1,7 +1,5 @@
 """Request ids, the access log and the metrics."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

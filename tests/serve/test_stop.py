@@ -1,7 +1,5 @@
 """How the server stops: ready no more, everything in flight answered, nothing lost."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

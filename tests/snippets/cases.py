@@ -1,7 +1,5 @@
 """What snippets are asked for, and what the models answer: the cases of all languages."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Snippets: the Python runs and equals the model, compilers take GLSL and HLSL, what is refused."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

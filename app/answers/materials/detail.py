@@ -1,7 +1,5 @@
 """All that is known of one material: constants, color, provenance and rivals."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from app.answers.answer import answer

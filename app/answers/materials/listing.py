@@ -1,7 +1,5 @@
 """The list of materials, searched, filtered and paged."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import lru_cache
 from typing import Annotated, Literal

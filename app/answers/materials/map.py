@@ -1,7 +1,5 @@
 """Reflectance of a material over angle and wavelength."""
 
-from __future__ import annotations
-
 from typing import Literal
 
 import numpy as np

@@ -1,7 +1,5 @@
 """n, k and F0 of a material over the wavelength; nothing is held beyond what is known."""
 
-from __future__ import annotations
-
 from typing import Literal
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Request bodies, read within bounds."""
 
-from __future__ import annotations
-
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 

@@ -1,7 +1,5 @@
 """Which of the kinds of content that are there suits a client (RFC 9110, section 12.5.1)."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 

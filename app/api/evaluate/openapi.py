@@ -1,7 +1,5 @@
 """What OpenAPI says of `/evaluate`, whose body and answers FastAPI does not see."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from app.api.evaluate.arrow import MEDIA_TYPE

@@ -1,7 +1,5 @@
 """What both kinds of body are made into: pieces of rows, with the item that each row is of."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from typing import NamedTuple, Protocol
 

@@ -1,7 +1,5 @@
 """The route of `/evaluate`: what it takes, what it sends, and in which kinds."""
 
-from __future__ import annotations
-
 import asyncio
 from collections import deque
 from collections.abc import AsyncIterator, Callable

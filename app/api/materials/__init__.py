@@ -1,7 +1,5 @@
 """`/materials`: presets, their constants over the wavelength, their curves and colors."""
 
-from __future__ import annotations
-
 from dataclasses import fields
 from typing import Annotated
 

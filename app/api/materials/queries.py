@@ -1,7 +1,5 @@
 """Queries of the routes over materials: lists, the medium in front, ranges and colors."""
 
-from __future__ import annotations
-
 from typing import Any, ClassVar, Literal, Self
 
 import numpy as np

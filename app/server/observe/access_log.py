@@ -1,7 +1,5 @@
 """The access log: one JSON object a line and request, written as the request ends."""
 
-from __future__ import annotations
-
 import os
 import re
 import sys

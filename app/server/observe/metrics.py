@@ -1,7 +1,5 @@
 """Counts and durations of requests in the Prometheus format, over all workers of a server."""
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 

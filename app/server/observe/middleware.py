@@ -1,7 +1,5 @@
 """The outermost layer of the application: gives requests their id, logs and counts them."""
 
-from __future__ import annotations
-
 from time import perf_counter
 
 from starlette.types import ASGIApp, Message, Receive, Scope, Send

@@ -1,7 +1,5 @@
 """`/metrics`, where Prometheus looks for it."""
 
-from __future__ import annotations
-
 from fastapi import APIRouter, Request
 from prometheus_client import CONTENT_TYPE_LATEST
 from starlette.responses import Response
