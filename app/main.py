@@ -138,7 +138,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         evaluate.router(registry, pool, settings.max_body_bytes),
     ]
     table = RouteTable(routers)
-    routers += [claims.router(table), figures.router(table, settings.static_dir)]
+    routers += [claims.router(table), figures.router(table, registry, settings.static_dir)]
     app.state.table = RouteTable(routers)
     problems.install(app)
     for router in routers:

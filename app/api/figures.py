@@ -1,7 +1,6 @@
 """`/figures`: Plotly figures of what other routes answer, as JSON, a page or a picture."""
 
-# No `from __future__ import annotations` here: the queries' types are made at run time, and FastAPI
-# could not look up their names.
+from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -11,22 +10,26 @@ from textwrap import wrap
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 from urllib.parse import urlencode
 
-import orjson
 from fastapi import APIRouter, Query
 from pydantic import BaseModel, Field, create_model
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
+from typing_extensions import TypedDict
 
 from app import __version__
+from app.answers.answer import answer
+from app.answers.errors import Errors
+from app.answers.rounding import rounded
 from app.api import PREFIX
-from app.api.answers import Answer, Large
 from app.api.params import AngleQuery, preset_name
-from app.api.responses import ReadyBody, json_body, shown_as
 from app.api.table import RouteTable
 from app.figures.look import Ground, Look, Theme, theme_colors
 from app.figures.render import MEDIA_TYPES, NoPictures, page, picture, policy
-from app.http.query import Count, Number, QueryModel
+from app.http.query import Count, LongQuery, Number, QueryModel
 from app.http.route import QueryRoute
+from app.http.writing import shown_as
+from app.optics.albedo import FITS, Fit
+from app.optics.registry import Model, Registry
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -37,14 +40,13 @@ Format = Literal["json", "html", "svg", "png", "pdf"]
 _WIDTH, _HEIGHT = 960, 600
 
 
-class FigureQuery(QueryModel):
+class FigureQuery(LongQuery):
     """How a figure looks, and as what it is sent."""
 
     format: Format = Field(
         "json",
         description="Plotly's JSON, which plotly.io.from_json reads; a page that holds all it "
-        "needs; "
-        "or a picture, where the server has Kaleido and a browser.",
+        "needs; or a picture, where the server has Kaleido and a browser.",
     )
     theme: Theme = Field("light", description="Colors on a light or a dark ground.")
     background: Ground = Field("paper", description="Ground: the page's paper, white or none.")
@@ -68,26 +70,40 @@ class MaterialName(QueryModel):
     )
 
 
-class PlotlyFigureOut(BaseModel):
+class PlotlyFigure(TypedDict):
     """A Plotly figure."""
 
-    data: list[dict[str, Any]] = Field(description="Traces.")
+    data: Annotated[list[dict[str, Any]], Field(description="Traces.")]
     layout: dict[str, Any]
 
 
-class FigureKindOut(BaseModel):
+class Drawing(Response):
+    """A figure as it is sent, and as it was drawn for those within the process."""
+
+    def __init__(
+        self, figure: go.Figure, body: bytes, form: Format, headers: Mapping[str, str]
+    ) -> None:
+        super().__init__(body, headers=headers, media_type=MEDIA_TYPES[form])
+        self.figure = figure
+
+
+@answer
+class FigureKind:
     """One kind of figure."""
 
     name: str
     title: str
-    request: str = Field(description="Path of the figure; its parameters are those of `of`.")
-    of: str = Field(description="Path whose answer is drawn.")
+    request: str
+    """Path of the figure; its parameters are those of `of`."""
+    of: str
+    """Path whose answer is drawn."""
 
 
-class FigureKindsOut(BaseModel):
+@answer
+class FigureKinds:
     """All kinds of figures."""
 
-    figures: list[FigureKindOut]
+    figures: list[FigureKind]
     formats: list[str]
 
 
@@ -146,86 +162,62 @@ def _request(kind: Kind, query: BaseModel) -> str:
     return f"{PREFIX}/figures/{kind.name}" + (f"?{query_string}" if query_string else "")
 
 
-def _sources(answer: Any, known: Mapping[str, tuple[str, str]]) -> list[str]:
+def _sources(answer: Any, named: Mapping[str, Fit | Model]) -> list[str]:
     """Whom the figure's curves are from, by the models, fits and presets that are in it."""
-    rows = [*answer.get("curves", ()), *answer.get("errors", ())]
-    ids = [row.get("model") or row.get("id") for row in rows] + [answer.get("model")]
-    named = [name for name in dict.fromkeys(ids) if name in known and name != "exact"]
-    told = [
-        f"{title}: {reference.rstrip('.')}." for title, reference in map(known.__getitem__, named)
-    ]
-    interface = answer.get("interface") or {}
-    presets = [interface.get("incident"), interface.get("material"), answer.get("material")]
-    return told + [f"{p['name']}: {p['source'].rstrip('.')}." for p in presets if p]
+    rows: list[Any] = answer.errors if isinstance(answer, Errors) else getattr(answer, "curves", [])
+    ids = [str(getattr(row, "model", getattr(row, "id", None))) for row in (*rows, answer)]
+    known = [named[name] for name in dict.fromkeys(ids) if name in named and name != "exact"]
+    interface = getattr(answer, "interface", None)
+    presets = [getattr(interface, name, None) for name in ("incident", "material")]
+    presets.append(getattr(answer, "material", None))
+    sources = [(one.title, one.reference) for one in known]
+    sources += [(preset.name, preset.source) for preset in presets if preset]
+    return [f"{name}: {source.rstrip('.')}." for name, source in sources]
 
 
-def router(table: RouteTable, static_dir: Path) -> APIRouter:
+def router(table: RouteTable, registry: Registry, static_dir: Path) -> APIRouter:
     """Routes of the figures, drawn from the answers of `table` in the look of the page's files."""
     routes = APIRouter(route_class=QueryRoute, tags=["figures"])
-
-    @cache
-    def model_ids() -> tuple[str, ...]:
-        return tuple(m["id"] for m in table.json("/models?fields=id")["models"])
-
-    @cache
-    def sources() -> dict[str, tuple[str, str]]:
-        """Title and reference of every model and fit by its id; models last, for they are drawn."""
-        fits = table.json("/albedo/fits")["fits"]
-        models = table.json("/models?fields=id,title,reference")["models"]
-        return {entry["id"]: (entry["title"], entry["reference"]) for entry in (*fits, *models)}
+    # Models last, for they are drawn.
+    named: Mapping[str, Fit | Model] = {**FITS, **registry}
 
     @cache
     def colors(theme: Theme) -> dict[str, str]:
         return theme_colors((static_dir / "css" / "base.css").read_text("utf-8"), theme)
 
-    def look_of(query: FigureQuery) -> Look:
-        return Look(
-            colors(query.theme),
-            model_ids(),
-            query.background,
-            query.font_px,
-            query.width,
-            query.height,
-        )
-
-    def answered(kind: Kind, query: FigureQuery) -> Any:
-        """Ask the route that the figure is of, with the query that is validated already."""
-        material = getattr(query, "material", None) or "Au"
-        route, parts = table.find(kind.of.replace("{material}", material))
-        assert route is not None  # noqa: S101 - every kind names a route, as a test checks
-        written = route.written(parts, query.model_copy(update={"format": "json", "digits": 17}))
-        return orjson.loads(bytes(written.body))
-
-    def drawn(kind: Kind, query: FigureQuery) -> tuple["go.Figure", list[str], Look]:
+    def drawn(kind: Kind, query: FigureQuery) -> tuple[go.Figure, list[str], Look]:
         """The figure, its caption and its look."""
         from app.figures import draw  # Plotly takes a second and 50 MB: not before it is needed
 
-        answer, look = answered(kind, query), look_of(query)
-        known = sources()
-        titles = {name: title for name, (title, _) in known.items()}
+        material = getattr(query, "material", None) or "Au"
+        route, parts = table.find(kind.of.replace("{material}", material))
+        assert route is not None  # noqa: S101 - every kind names a route, as a test checks
+        # The query is validated already.
+        answer = rounded(route.answer(parts, query), getattr(query, "digits", 17))
+        size = (query.width, query.height)
+        look = Look(colors(query.theme), list(registry), query.background, query.font_px, *size)
         make: Callable[..., go.Figure] = getattr(draw, kind.name)
-        figure = make(answer, draw.Context(table.json, query, look, titles))
-        request = _request(kind, query)
+        figure, request = make(answer, draw.Context(query, look, named)), _request(kind, query)
         figure.update_layout(meta={"request": request, "version": __version__})
-        texts = [*_sources(answer, known), f"Fresnel Explorer {__version__}, {request}"]
+        texts = [*_sources(answer, named), f"Fresnel Explorer {__version__}, {request}"]
         width = query.width or _WIDTH
         inside = query.caption and query.format != "html"
         columns = int((width - 40) / (0.41 * query.font_px))
         lines = [line for text in texts for line in wrap(text, columns)] if inside else []
         return draw.framed(figure, lines, look, width), texts if query.caption else [], look
 
-    def sent(kind: Kind, query: FigureQuery) -> Response:
+    def drawing(kind: Kind, query: FigureQuery) -> Drawing:
         (figure, caption, look), form = drawn(kind, query), query.format
-        filename = shown_as(f"fresnel_{kind.name}.{form}")
+        headers = shown_as(f"fresnel_{kind.name}.{form}")
         if form == "json":
-            return ReadyBody(str(figure.to_json()).encode(), MEDIA_TYPES[form], filename)
+            return Drawing(figure, str(figure.to_json()).encode(), form, headers)
         if form == "html":
+            headers |= {"Content-Security-Policy": policy(static_dir)}
             body = page(figure, kind.title, caption, look, static_dir)
-            headers = {**filename, "Content-Security-Policy": policy(static_dir)}
-            return ReadyBody(body, MEDIA_TYPES[form], headers)
+            return Drawing(figure, body, form, headers)
         try:
             size = (query.width or _WIDTH, query.height or _HEIGHT)
-            return ReadyBody(picture(figure, form, size, static_dir), MEDIA_TYPES[form], filename)
+            return Drawing(figure, picture(figure, form, size, static_dir), form, headers)
         except NoPictures as error:
             detail = f"format = {form} is not to be had here: {error}; json and html are"
             raise HTTPException(406, detail) from None
@@ -234,30 +226,31 @@ def router(table: RouteTable, static_dir: Path) -> APIRouter:
         source, _ = table.find(kind.of.replace("{material}", "Au"))
         if source is None or source.query_model is None:
             raise LookupError(kind.of)
-        Query_ = _query_of(kind, source.query_model)
 
-        @routes.get(
+        def figure(query: FigureQuery) -> Drawing:
+            return drawing(kind, query)
+
+        figure.__annotations__["query"] = Annotated[_query_of(kind, source.query_model), Query()]
+        routes.get(
             f"/figures/{kind.name}",
             name=kind.name,
-            response_model=PlotlyFigureOut,
+            response_model=PlotlyFigure,
             responses={200: {"content": {media: {} for media in list(MEDIA_TYPES.values())[1:]}}},
             summary=f"Figure: {kind.title[0].lower()}{kind.title[1:]}",
-        )
-        def figure(query: Annotated[Query_, Query()]) -> Answer:  # type: ignore[valid-type]
-            return Large(sent, kind, query)
+        )(figure)
 
-    @routes.get("/figures", response_model=FigureKindsOut, summary="Kinds of figures")
-    def kinds() -> Answer:
+    @routes.get("/figures", summary="Kinds of figures")
+    def kinds() -> FigureKinds:
         listed = [
-            {
-                "name": k.name,
-                "title": k.title,
-                "request": f"{PREFIX}/figures/{k.name}",
-                "of": PREFIX + k.of,
-            }
-            for k in KINDS
+            FigureKind(
+                name=kind.name,
+                title=kind.title,
+                request=f"{PREFIX}/figures/{kind.name}",
+                of=PREFIX + kind.of,
+            )
+            for kind in KINDS
         ]
-        return json_body({"figures": listed, "formats": list(MEDIA_TYPES)})
+        return FigureKinds(figures=listed, formats=list(MEDIA_TYPES))
 
     for kind in KINDS:
         add(kind)

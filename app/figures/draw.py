@@ -1,175 +1,159 @@
-"""Figures as Plotly objects, drawn from what the API's routes answer."""
+"""Figures as Plotly objects, drawn from typed answers."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
-from urllib.parse import urlencode
+from typing import Any, Protocol
 
+import numpy as np
 import plotly.graph_objects as go
 from plotly.subplots import make_subplots
 
+from app.answers.albedo_grids import AlbedoSweep
+from app.answers.curves import Curves, sampled_incidence
+from app.answers.error_grids import ErrorMap, ErrorSweep
+from app.answers.errors import Errors
+from app.answers.interface import InterfaceFacts
+from app.answers.materials.curves import MaterialCurves
+from app.answers.materials.spectrum import spectrum
+from app.answers.snell import Ray, ray
 from app.figures.look import Look
+from app.materials.media import default_catalog
+from app.optics.amplitudes import power
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
 
 DEGREES = {"tickvals": list(range(0, 91, 15)), "range": [0, 90]}
 ANGLE = "angle of incidence <i>θ</i><sub>i</sub> (degrees)"
 WAVELENGTHS_NM = [step * 10**power for power in range(1, 6) for step in (1, 2, 5)]
-_QUANTITIES = {"Rs": "Rs", "Rp": "Rp", "T": "T"}
 _DASHES = {"Rs": "solid", "Rp": "dash", "T": "dot"}
+_POLARIZED = {"unpolarized": "R", "s": "Rs", "p": "Rp"}
+_SIGNED = ("error", "cosine_weighted_mean", "albedo_error", "error_at_max")
+
+
+class Named(Protocol):
+    """A model or a fit."""
+
+    @property
+    def title(self) -> str:
+        """What legends call it."""
+
+    @property
+    def reference(self) -> str:
+        """Whom it is from."""
 
 
 @dataclass(frozen=True, slots=True)
 class Context:
     """What a figure is drawn from, beside the answer."""
 
-    ask: Callable[[str], Any]
-    """Answer of another route by its path and query."""
     query: Any
     """The query, with its defaults."""
     look: Look
     """Colors and type."""
-    titles: Mapping[str, str]
-    """Titles of the models by id."""
+    named: Mapping[str, Named]
+    """Models and fits by id."""
+
+    def title(self, model_id: str, quantity: str = "") -> str:
+        """Title of a model or fit, with what follows R in the name of its quantity."""
+        return self.named[model_id].title + quantity[1:].replace("_", ", ")
 
 
-def media(interface: Mapping[str, Any]) -> str:
+def media(interface: InterfaceFacts) -> str:
     """Name both media: `n = 1 → 1.5`, with the presets' names where there are any."""
-    front = interface["incident"]["name"] if interface["incident"] else f"{interface['n_i']:.6g}"
-    k = f" + {interface['k_t']:.6g}i" if interface["k_t"] else ""
-    behind = f"{interface['n_t']:.6g}{k}"
-    if interface["material"]:
-        behind = f"{interface['material']['name']} ({behind})"
+    front = interface.incident.name if interface.incident else f"{interface.n_i:.6g}"
+    k = f" + {interface.k_t:.6g}i" if interface.k_t else ""
+    behind = f"{interface.n_t:.6g}{k}"
+    if interface.material:
+        behind = f"{interface.material.name} ({behind})"
     return f"n = {front} → {behind}"
 
 
-def numbers(interface: Mapping[str, Any], **more: Any) -> str:
-    """Query of the interface as numbers, for another route."""
-    return urlencode({name: interface[name] for name in ("n_i", "n_t", "k_t")} | more)
+def _numbers(interface: InterfaceFacts) -> Interface:
+    """The interface of an answer, with as many digits as the answer has."""
+    return Interface(interface.n_i, interface.n_t, interface.k_t)
 
 
 def _line(x: Any, y: Any, name: str, line: Mapping[str, Any], **more: Any) -> go.Scatter:
-    shown = {**line, "simplify": False}
-    return go.Scatter(x=x, y=y, name=name, mode="lines", line=shown, **more)
+    # Lists, for Plotly would send arrays as bytes.
+    data = {"x": np.asarray(x).tolist(), "y": np.asarray(y).tolist()}
+    return go.Scatter(**data, name=name, mode="lines", line={**line, "simplify": False}, **more)
 
 
-def _curve_lines(answer: Mapping[str, Any], context: Context) -> list[go.Scatter]:
-    """A line for each curve of a `/curves` answer, exact R last and on top."""
+def _above_and_below(
+    figure: go.Figure, x: Any, above: Any, below: Any, name: str, line: Mapping[str, Any]
+) -> None:
+    """Draw a curve in the upper plot and its error in the lower one, hidden together."""
+    figure.add_trace(_line(x, above, name, line, legendgroup=name), row=1, col=1)
+    error = _line(x, below, name, line, legendgroup=name, showlegend=False)
+    figure.add_trace(error, row=2, col=1)
+
+
+def _curve_lines(answer: Curves, context: Context) -> list[go.Scatter]:
+    """A line for each curve, exact R last and on top."""
     look, lines, exact = context.look, [], []
-    for curve in answer["curves"]:
-        model, quantity = curve["model"], curve["quantity"]
-        if model == "exact" and quantity in _QUANTITIES:
+    for curve in answer.curves:
+        model, quantity, points = curve.model, curve.quantity, (answer.theta_i_deg, curve.values)
+        if model == "exact" and quantity in _DASHES:
             line = {"color": look.colors[quantity], "dash": _DASHES[quantity], "width": 1.8}
-            lines.append(_line(answer["theta_i_deg"], curve["values"], quantity, line))
+            lines.append(_line(*points, quantity, line))
         elif model == "exact" and quantity == "R":
-            exact.append(
-                _line(answer["theta_i_deg"], curve["values"], "exact R", look.line("exact"))
-            )
+            exact.append(_line(*points, "exact R", look.line("exact")))
         elif quantity.startswith("R"):
-            name = context.titles[model] + quantity[1:].replace("_", ", ")
-            lines.append(_line(answer["theta_i_deg"], curve["values"], name, look.line(model)))
+            lines.append(_line(*points, context.title(model, quantity), look.line(model)))
     return lines + exact
 
 
-def _rays(figure: go.Figure, ray: Mapping[str, Any], look: Look) -> None:
+def _rays(figure: go.Figure, drawn: Ray, look: Look) -> None:
     """Draw one ray at the surface, arrows as long as the power they carry."""
-    colors = look.colors
-    figure.add_shape(
-        type="rect",
-        x0=-1.1,
-        x1=1.1,
-        y0=-1.1,
-        y1=0,
-        fillcolor=colors["rule"],
-        line_width=0,
-        layer="below",
-        row=1,
-        col=1,
-    )
-    figure.add_shape(
-        type="line",
-        x0=-1.1,
-        x1=1.1,
-        y0=0,
-        y1=0,
-        line={"color": colors["edge"], "width": 1.5},
-        row=1,
-        col=1,
-    )
-    figure.add_shape(
-        type="line",
-        x0=0,
-        x1=0,
-        y0=-1.05,
-        y1=1.05,
-        line={"color": colors["edge"], "width": 1, "dash": "dash"},
-        row=1,
-        col=1,
-    )
-    x, y = ray["reflected"]
+    colors, place = look.colors, {"row": 1, "col": 1}
+    lower = {"x0": -1.1, "x1": 1.1, "y0": -1.1, "y1": 0, "fillcolor": colors["rule"]}
+    figure.add_shape(type="rect", **lower, line_width=0, layer="below", **place)
+    edge = colors["edge"]
+    surface, normal = {"color": edge, "width": 1.5}, {"color": edge, "width": 1, "dash": "dash"}
+    figure.add_shape(type="line", x0=-1.1, x1=1.1, y0=0, y1=0, line=surface, **place)
+    figure.add_shape(type="line", x0=0, x1=0, y0=-1.05, y1=1.05, line=normal, **place)
+    x, y = drawn.reflected
+    R, T = drawn.R, drawn.T
     arrows = [((-x, y), (0.0, 0.0), colors["ink"], "")]
-    arrows.append(((0.0, 0.0), (ray["R"] * x, ray["R"] * y), colors["R"], f"R = {ray['R']:.4f}"))
-    if ray["refracted"] is not None:
-        (u, v), T = ray["refracted"], ray["T"]
+    arrows.append(((0.0, 0.0), (R * x, R * y), colors["R"], f"R = {R:.4f}"))
+    if drawn.refracted is not None:
+        u, v = drawn.refracted
         arrows.append(((0.0, 0.0), (T * u, T * v), colors["T"], f"T = {T:.4f}"))
+    axes: dict[str, Any] = {"xref": "x", "yref": "y"}
     for (x0, y0), (x1, y1), color, text in arrows:
         if math.hypot(x1 - x0, y1 - y0) > 1e-3:
-            figure.add_annotation(
-                x=x1,
-                y=y1,
-                ax=x0,
-                ay=y0,
-                xref="x",
-                yref="y",
-                axref="x",
-                ayref="y",
-                text="",
-                showarrow=True,
-                arrowhead=2,
-                arrowwidth=2,
-                arrowcolor=color,
-            )
+            ends = {"x": x1, "y": y1, "ax": x0, "ay": y0, "axref": "x", "ayref": "y", **axes}
+            head = {"arrowhead": 2, "arrowwidth": 2, "arrowcolor": color}
+            figure.add_annotation(**ends, text="", showarrow=True, **head)
         if text:
-            figure.add_annotation(
-                x=1.05,
-                y=0.12 if y1 >= 0 else -0.12,
-                xref="x",
-                yref="y",
-                text=text,
-                showarrow=False,
-                xanchor="right",
-                font={"color": color},
-            )
+            at = {"x": 1.05, "y": 0.12 if y1 >= 0 else -0.12, "xanchor": "right", **axes}
+            figure.add_annotation(**at, text=text, showarrow=False, font={"color": color})
     hidden = {"visible": False, "range": [-1.1, 1.1], "fixedrange": True}
-    figure.update_xaxes(hidden | {"constrain": "domain"}, row=1, col=1)
-    figure.update_yaxes(hidden | {"scaleanchor": "x", "constrain": "domain"}, row=1, col=1)
+    figure.update_xaxes(hidden | {"constrain": "domain"}, **place)
+    figure.update_yaxes(hidden | {"scaleanchor": "x", "constrain": "domain"}, **place)
 
 
-def explore(answer: Mapping[str, Any], context: Context) -> go.Figure:
+def explore(answer: Curves, context: Context) -> go.Figure:
     """One ray and the curves of its surface, with a mark at the ray's angle."""
-    look, interface = context.look, answer["interface"]
-    theta = context.query.theta_i_deg
-    ray = context.ask(f"/snell?{numbers(interface, theta_i_deg=theta)}")
+    look, interface, theta = context.look, answer.interface, context.query.theta_i_deg
     figure = make_subplots(1, 2, column_widths=[0.36, 0.64], horizontal_spacing=0.09)
-    _rays(figure, ray, look)
+    _rays(figure, ray(_numbers(interface), Incidence.from_degrees(theta)), look)
     for line in _curve_lines(answer, context):
         figure.add_trace(line, row=1, col=2)
     figure.update_xaxes(look.axis(ANGLE, **DEGREES), row=1, col=2)
     figure.update_yaxes(look.axis("share of the power", range=[0, 1.02]), row=1, col=2)
     figure.add_vline(x=theta, line={"color": look.colors["accent"], "width": 1.5}, row=1, col=2)
-    marks = [("Brewster", "brewster_deg"), ("critical", "critical_deg")]
-    for name, key in marks:
-        if interface[key] is not None:
+    marks = (("Brewster", interface.brewster_deg), ("critical", interface.critical_deg))
+    for text, angle in marks:
+        if angle is not None:
+            font = {"size": 0.8 * look.font_px}
             figure.add_vline(
-                x=interface[key],
+                x=angle,
                 line={"color": look.colors["edge"], "width": 1, "dash": "dot"},
-                annotation={
-                    "text": name,
-                    "font": {"size": 0.8 * look.font_px},
-                    "textangle": -90,
-                    "xshift": -7,
-                },
+                annotation={"text": text, "font": font, "textangle": -90, "xshift": -7},
                 annotation_position="top left",
                 row=1,
                 col=2,
@@ -178,29 +162,22 @@ def explore(answer: Mapping[str, Any], context: Context) -> go.Figure:
     return figure
 
 
-def compare(answer: Mapping[str, Any], context: Context) -> go.Figure:
+def compare(answer: Errors, context: Context) -> go.Figure:
     """Models over the exact curve, and their signed errors below."""
-    look, interface, theta = context.look, answer["interface"], answer["theta_i_deg"]
-    landmarks = str(context.query.landmarks).lower()
-    query = numbers(interface, samples=context.query.samples, landmarks=landmarks)
-    (exact,) = (
-        c["values"] for c in context.ask(f"/curves?{query}")["curves"] if c["quantity"] == "R"
-    )
+    look, query, theta = context.look, context.query, answer.theta_i_deg
+    interface = _numbers(answer.interface)
+    exact = power(interface, sampled_incidence(interface, query.samples, query.landmarks)).R
     figure = make_subplots(2, 1, shared_xaxes=True, row_heights=[0.62, 0.38], vertical_spacing=0.06)
-    for row in answer["errors"]:
-        name = context.titles[row["model"]] + row["quantity"][1:].replace("_", ", ")
-        line = look.line(row["model"])
-        R = [None if e is None else e + r for e, r in zip(row["error"], exact, strict=True)]
-        figure.add_trace(_line(theta, R, name, line, legendgroup=name), row=1, col=1)
-        figure.add_trace(
-            _line(theta, row["error"], name, line, legendgroup=name, showlegend=False), row=2, col=1
-        )
+    for row in answer.errors:
+        name, line = context.title(row.model, row.quantity), look.line(row.model)
+        _above_and_below(figure, theta, row.error + exact, row.error, name, line)
     figure.add_trace(_line(theta, exact, "exact", look.line("exact")), row=1, col=1)
     figure.update_xaxes(look.axis("", **DEGREES), row=1, col=1)
     figure.update_xaxes(look.axis(ANGLE, **DEGREES), row=2, col=1)
     figure.update_yaxes(look.axis("reflectance R", range=[0, 1.02]), row=1, col=1)
     figure.update_yaxes(look.axis("error"), row=2, col=1)
-    figure.update_layout(look.layout(), title_text=f"Approximations and exact, {media(interface)}")
+    title = f"Approximations and exact, {media(answer.interface)}"
+    figure.update_layout(look.layout(), title_text=title)
     return figure
 
 
@@ -213,125 +190,102 @@ _AXES = {
 }
 
 
-def errors(answer: Mapping[str, Any], context: Context) -> go.Figure:
+def errors(answer: ErrorMap, context: Context) -> go.Figure:
     """Heat map of one model's error."""
-    look, x, y = context.look, answer["x"], answer["y"]
-    sizes = [abs(v) for row in answer["values"] for v in row if v is not None]
-    largest = max(sizes, default=1.0) or 1.0
-    signed = answer["metric"] in ("error", "cosine_weighted_mean", "albedo_error", "error_at_max")
-    scale = [
-        [0.0, look.colors["Rs"]],
-        [0.5, look.background if look.ground != "transparent" else "#ffffff"],
-        [1.0, look.colors["Rp"]],
-    ]
+    look, x, y = context.look, answer.x, answer.y
+    sizes = np.abs(answer.values[np.isfinite(answer.values)])
+    largest = float(sizes.max(initial=0.0)) or 1.0
+    signed = answer.metric in _SIGNED
+    middle = look.background if look.ground != "transparent" else "#ffffff"
+    blue, red = look.colors["Rs"], look.colors["Rp"]
     heat = go.Heatmap(
-        x=x["values"],
-        y=y["values"],
-        z=answer["values"],
+        x=x.values.tolist(),
+        y=y.values.tolist(),
+        z=answer.values.tolist(),
         zmin=-largest if signed else 0.0,
         zmax=largest,
-        colorscale=scale if signed else [[0.0, scale[1][1]], [1.0, look.colors["Rp"]]],
-        colorbar={"title": {"text": answer["metric"]}, "outlinewidth": 0, "thickness": 14},
-        hovertemplate=f"{x['name']} = %{{x:.4g}}<br>{y['name']} = %{{y:.4g}}<br>%{{z:.4g}}"
+        colorscale=[[0.0, blue], [0.5, middle], [1.0, red]]
+        if signed
+        else [[0.0, middle], [1.0, red]],
+        colorbar={"title": {"text": answer.metric}, "outlinewidth": 0, "thickness": 14},
+        hovertemplate=f"{x.name} = %{{x:.4g}}<br>{y.name} = %{{y:.4g}}<br>%{{z:.4g}}"
         "<extra></extra>",
     )
     figure = go.Figure(heat)
-    figure.update_xaxes(
-        look.axis(_AXES[x["name"]], **(DEGREES if x["name"] == "theta_i_deg" else {}))
-    )
-    figure.update_yaxes(look.axis(_AXES[y["name"]]))
-    title = f"{context.titles[answer['model']]}: {answer['metric'].replace('_', ' ')}"
+    figure.update_xaxes(look.axis(_AXES[x.name], **(DEGREES if x.name == "theta_i_deg" else {})))
+    figure.update_yaxes(look.axis(_AXES[y.name]))
+    title = f"{context.title(answer.model)}: {answer.metric.replace('_', ' ')}"
     figure.update_layout(look.layout(), title_text=title, hovermode="closest")
     return figure
 
 
-def sweep(answer: Mapping[str, Any], context: Context) -> go.Figure:
+def sweep(answer: ErrorSweep, context: Context) -> go.Figure:
     """A model's errors along a line of surfaces."""
-    look = context.look
+    look, x = context.look, answer.values
     figure = go.Figure()
-    named = (
-        ("max_abs", "largest error", look.line("exact")),
-        ("rms", "root mean square", {"color": look.colors["Rs"], "dash": "dash", "width": 2}),
-        (
-            "albedo_error",
-            "error of the albedo",
-            {"color": look.colors["Rp"], "dash": "dot", "width": 2},
-        ),
-    )
-    for metric, name, line in named:
-        figure.add_trace(_line(answer["values"], answer[metric], name, line))
-    scale = "log" if context.query.scale == "log" else "linear"
-    figure.update_xaxes(look.axis(_AXES[answer["over"]], type=scale))
+    rms = {"color": look.colors["Rs"], "dash": "dash", "width": 2}
+    albedo_error = {"color": look.colors["Rp"], "dash": "dot", "width": 2}
+    figure.add_trace(_line(x, answer.max_abs, "largest error", look.line("exact")))
+    figure.add_trace(_line(x, answer.rms, "root mean square", rms))
+    figure.add_trace(_line(x, answer.albedo_error, "error of the albedo", albedo_error))
+    figure.update_xaxes(look.axis(_AXES[answer.over], type=context.query.scale))
     figure.update_yaxes(look.axis("error"))
-    title = f"{context.titles[answer['model']]}: errors over {answer['over']}"
+    title = f"{context.title(answer.model)}: errors over {answer.over}"
     figure.update_layout(look.layout(), title_text=title)
     return figure
 
 
-def albedo(answer: Mapping[str, Any], context: Context) -> go.Figure:
+def albedo(answer: AlbedoSweep, context: Context) -> go.Figure:
     """Albedos along a line of surfaces, and the errors of fits and models below."""
-    look, x = context.look, answer["values"]
-    others = [c for c in answer["curves"] if c["kind"] in ("fit", "model")]
+    look, x = context.look, answer.values
+    others = [curve for curve in answer.curves if curve.kind in ("fit", "model")]
     rows = 2 if others else 1
     heights = [0.62, 0.38] if others else [1.0]
     figure = make_subplots(rows, 1, shared_xaxes=True, row_heights=heights, vertical_spacing=0.06)
-    for curve in answer["curves"]:
-        if curve["kind"] == "exact":
-            quantity = {"unpolarized": "R", "s": "Rs", "p": "Rp"}[curve["quantity"]]
-            dash = {"R": "solid", "Rs": "solid", "Rp": "dash"}[quantity]
+    for curve in answer.curves:
+        if curve.kind == "exact":
+            quantity = _POLARIZED[curve.quantity]
             line = {
                 "color": look.colors[quantity],
-                "dash": dash,
+                "dash": "dash" if quantity == "Rp" else "solid",
                 "width": 2.6 if quantity == "R" else 1.6,
             }
-            figure.add_trace(
-                _line(x, curve["values"], f"exact, {curve['quantity']}", line), row=1, col=1
-            )
-        elif curve["kind"] not in ("fit", "model"):
-            line = {"color": look.colors["muted"], "dash": "dashdot", "width": 1.6}
-            figure.add_trace(_line(x, curve["values"], curve["id"], line), row=1, col=1)
+            figure.add_trace(_line(x, curve.values, f"exact, {curve.quantity}", line), row=1, col=1)
     for place, curve in enumerate(others):
-        name = context.titles[curve["id"]]
-        line = {
-            "color": look.colors[f"model-{place % 8 + 1}"],
-            "dash": ("dash", "dot", "dashdot")[place % 3],
-            "width": 2,
-        }
-        figure.add_trace(_line(x, curve["values"], name, line, legendgroup=name), row=1, col=1)
-        figure.add_trace(
-            _line(x, curve["error"], name, line, legendgroup=name, showlegend=False), row=2, col=1
-        )
-    scale = "log" if context.query.scale == "log" else "linear"
+        dash = ("dash", "dot", "dashdot")[place % 3]
+        line = {"color": look.color_at(place), "dash": dash, "width": 2}
+        name = context.title(curve.id)
+        _above_and_below(figure, x, curve.values, curve.error, name, line)
     for row in range(1, rows + 1):
-        title = _AXES[answer["over"]] if row == rows else ""
-        figure.update_xaxes(look.axis(title, type=scale), row=row, col=1)
+        title = _AXES[answer.over] if row == rows else ""
+        figure.update_xaxes(look.axis(title, type=context.query.scale), row=row, col=1)
         figure.update_yaxes(look.axis("albedo" if row == 1 else "error"), row=row, col=1)
-    figure.update_layout(look.layout(), title_text=f"Hemispherical albedo over {answer['over']}")
+    figure.update_layout(look.layout(), title_text=f"Hemispherical albedo over {answer.over}")
     return figure
 
 
-def material(answer: Mapping[str, Any], context: Context) -> go.Figure:
+def material(answer: MaterialCurves, context: Context) -> go.Figure:
     """Reflectance of a material over the angle at its wavelengths, and n and k beside it."""
-    look, told = context.look, answer["material"]
-    spectrum = context.ask(f"/materials/{told['id']}/spectrum")
+    look, told = context.look, answer.material
+    constants = spectrum(default_catalog().get(told.id))
     figure = make_subplots(1, 2, horizontal_spacing=0.1, column_widths=[0.58, 0.42])
-    for place, curve in enumerate(answer["wavelengths"]):
-        line = {"color": look.colors[f"model-{place % 8 + 1}"], "width": 2}
-        name = f"{curve['wavelength_nm']:g} nm"
-        figure.add_trace(_line(answer["theta_i_deg"], curve["R"], name, line), row=1, col=1)
-    for quantity, color, dash in (("n", "Rs", "solid"), ("k", "Rp", "dash")):
-        if spectrum[quantity] is not None:
+    for place, curve in enumerate(answer.wavelengths):
+        line = {"color": look.color_at(place), "width": 2}
+        name = f"{curve.wavelength_nm:g} nm"
+        figure.add_trace(_line(answer.theta_i_deg, curve.R, name, line), row=1, col=1)
+    for name, values, color, dash in (
+        ("n", constants.n, "Rs", "solid"),
+        ("k", constants.k, "Rp", "dash"),
+    ):
+        if values is not None:
             line = {"color": look.colors[color], "dash": dash, "width": 2}
-            figure.add_trace(
-                _line(spectrum["wavelength_nm"], spectrum[quantity], quantity, line), row=1, col=2
-            )
+            figure.add_trace(_line(constants.wavelength_nm, values, name, line), row=1, col=2)
     figure.update_xaxes(look.axis(ANGLE, **DEGREES), row=1, col=1)
     figure.update_yaxes(look.axis("reflectance R", range=[0, 1.02]), row=1, col=1)
-    figure.update_xaxes(
-        look.axis("wavelength (nm)", type="log", tickvals=WAVELENGTHS_NM), row=1, col=2
-    )
+    wavelengths = look.axis("wavelength (nm)", type="log", tickvals=WAVELENGTHS_NM)
+    figure.update_xaxes(wavelengths, row=1, col=2)
     figure.update_yaxes(look.axis("n and k"), row=1, col=2)
-    figure.update_layout(look.layout(), title_text=f"{told['name']}: reflectance, n and k")
+    figure.update_layout(look.layout(), title_text=f"{told.name}: reflectance, n and k")
     figure.update_layout(hovermode="closest")
     return figure
 
@@ -350,35 +304,22 @@ def framed(figure: go.Figure, lines: list[str], look: Look, width: int) -> go.Fi
     width
         Which the legend's rows are counted for, in px.
     """
-    size = 0.78 * look.font_px
+    size, room = 0.78 * look.font_px, 4.4 * look.font_px
     names = [str(t.name) for t in figure.data if t.name and t.showlegend is not False]
     taken = sum(0.55 * look.font_px * len(name) + 50.0 for name in names)
     rows = math.ceil(taken / (width - 90.0)) if len(names) > 1 else 0
-    room = 4.4 * look.font_px
+    above, below = (3.2 + 1.7 * rows) * look.font_px, room + 1.5 * size * len(lines)
+    place = {"x": 0, "y": 1.01, "xanchor": "left", "yanchor": "bottom"}
     figure.update_layout(
-        margin={
-            "l": 5.0 * look.font_px,
-            "r": 24,
-            "t": (3.2 + 1.7 * rows) * look.font_px,
-            "b": room + 1.5 * size * len(lines),
-        },
+        margin={"l": 5.0 * look.font_px, "r": 24, "t": above, "b": below},
         title={"yref": "container", "y": 1.0, "yanchor": "top", "pad": {"t": look.font_px}},
-        legend={
-            "orientation": "h",
-            "tracegroupgap": 0,
-            "x": 0,
-            "y": 1.01,
-            "xanchor": "left",
-            "yanchor": "bottom",
-        },
+        legend={"orientation": "h", "tracegroupgap": 0, **place},
     )
     if lines:
+        corner = {"x": 0, "y": 0, "xref": "paper", "yref": "paper"}
         figure.add_annotation(
             text="<br>".join(lines),
-            xref="paper",
-            yref="paper",
-            x=0,
-            y=0,
+            **corner,
             xanchor="left",
             yanchor="top",
             xshift=-3.0 * look.font_px,

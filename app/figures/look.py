@@ -96,6 +96,10 @@ class Look:
             "width": width * (1.3 if dash == "solid" else 1),
         }
 
+    def color_at(self, place: int) -> str:
+        """Color of a line that is known by its place alone."""
+        return self.colors[f"model-{place % _COLORS + 1}"]
+
     @property
     def background(self) -> str:
         """Color behind the plot."""

@@ -121,6 +121,16 @@ def test_albedo_and_material(app: FastAPI) -> None:
     same(traces["k"], spectrum["wavelength_nm"], spectrum["k"])
 
 
+def test_digits_are_those_asked_for(app: FastAPI) -> None:
+    traces = drawn(app, "compare", digits="4")
+    answer = data(app, "/errors", **QUERIES["compare"], digits="4")
+    row = next(row for row in answer["errors"] if row["model"] == "schlick")
+    same(traces["Schlick'"], answer["theta_i_deg"], row["error"])
+    layout = figure(app, "explore", digits="3").json()["layout"]
+    at = [shape["x0"] for shape in layout["shapes"] if shape.get("line", {}).get("dash") == "dot"]
+    assert at == [56.3]
+
+
 @pytest.mark.parametrize("name", QUERIES)
 def test_a_caption_tells_the_request_that_repeats_it(app: FastAPI, name: str) -> None:
     layout = figure(app, name, font_px="8").json()["layout"]
@@ -154,7 +164,7 @@ def test_models_look_as_on_the_page() -> None:
     """Against the page's own module, run by Node."""
     ids = list(default_registry())
     script = f"""
-    import {{ modelStyle }} from {json.dumps((STATIC / "js" / "palette.js").as_uri())};
+    import {{ modelStyle }} from {json.dumps((STATIC / "js" / "models" / "look.js").as_uri())};
     const models = {json.dumps([{"id": name} for name in ids])};
     console.log(JSON.stringify(models.map((m) => modelStyle(models, m.id))));
     """

@@ -17,7 +17,7 @@ LAYERS = {
     "app.snippets": {"app.optics"},
     "app.claims": {"app.answers", "app.optics"},
     "app.batch": {"app.materials", "app.optics"},
-    "app.figures": set(),
+    "app.figures": {"app.answers", "app.materials", "app.optics"},
     "app.answers": {"app.materials", "app.optics", "app.snippets"},
     "app.server.pool": set(),
     "app.server.drain": set(),
