@@ -3,7 +3,8 @@
 import json
 import math
 from collections.abc import Callable, Iterator
-from functools import cache
+from functools import cache, partial
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from mpmath import mp, mpf
 
 from app.optics.albedo import FITS, albedo, coat_split, flatland_albedo
 from app.optics.angles import brewster_deg, critical_deg, principal_deg, pseudo_brewster_deg
+from app.optics.color import decode_srgb
 from app.optics.conversions import TITLES, Form, convert, know
 from app.optics.formulas.collection import Formulas, UnknownFormula, of_model, symbols_of
 from app.optics.formulas.formula import Formula
@@ -19,6 +21,7 @@ from app.optics.formulas.sources import ADDRESSES, links
 from app.optics.formulas.symbols import GLOSSARY, defined, explain, letters
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.parameters import Array
 from app.optics.registry import ROUNDED_AT, Model, default_registry
 from app.optics.snell import penetration_depth_wavelengths, refraction_angle_deg
 from tests.optics.reference.fresnel import DIGITS, Reference, fresnel
@@ -148,58 +151,54 @@ def indices() -> Iterator[tuple[float, float]]:
         yield float(n), float(k)
 
 
-def brewster() -> float:
-    with mp.workdps(DIGITS):
-        return max(
-            relative(float(brewster_deg(Interface(1.0, eta))), float(mp.degrees(mp.atan(mpf(eta)))))
-            for eta in np.geomspace(1e-3, 100.0, 300)
-        )
+def of_eta(
+    angle: Callable[[Interface], Array], arc: Callable[[mpf], mpf], etas: Array
+) -> Callable[[], float]:
+    """Against the inverse tangent or sine of eta."""
+
+    def measure() -> float:
+        with mp.workdps(DIGITS):
+            return max(
+                relative(float(angle(Interface(1.0, eta))), float(mp.degrees(arc(mpf(eta)))))
+                for eta in etas
+            )
+
+    return measure
 
 
-def critical() -> float:
-    with mp.workdps(DIGITS):
-        return max(
-            relative(float(critical_deg(Interface(1.0, eta))), float(mp.degrees(mp.asin(mpf(eta)))))
-            for eta in np.geomspace(1e-3, 1.0 - 1e-9, 300)
-        )
+Quotients = Callable[[mpf], tuple[mp.mpc, mp.mpc]]
 
 
-def principal() -> float:
-    """Against the zero of the real part of r_p / r_s, by the textbook quotients."""
-    errors = []
-    for eta in (0.2, 0.6, 1.5, 4.0):
-        for kappa in (0.1, 1.0, 3.0, 8.0):
-            found = float(principal_deg(Interface(1.0, eta, kappa)))
+def at_a_root(
+    angle: Callable[[Interface], Array], vanishes: Callable[[Quotients, mpf], mpf]
+) -> Callable[[], float]:
+    """Against the root of what vanishes there, made of the textbook's r_s and r_p over theta."""
+
+    def measure() -> float:
+        errors = []
+        for eta, kappa in product((0.2, 0.6, 1.5, 4.0), (0.1, 1.0, 3.0, 8.0)):
+            found = float(angle(Interface(1.0, eta, kappa)))
             with mp.workdps(DIGITS):
                 square = mp.mpc(eta, kappa) ** 2
 
-                def in_phase(theta: mpf, square: mp.mpc = square) -> mpf:
+                def quotients(theta: mpf, square: mp.mpc = square) -> tuple[mp.mpc, mp.mpc]:
                     q, c = mp.sqrt(square - mp.sin(theta) ** 2), mp.cos(theta)
-                    r_p = (square * c - q) / (square * c + q)
-                    return mp.re(r_p / ((c - q) / (c + q)))
+                    return (c - q) / (c + q), (square * c - q) / (square * c + q)
 
-                root = mp.findroot(in_phase, mp.radians(found))
+                root = mp.findroot(partial(vanishes, quotients), mp.radians(found))
                 errors.append(relative(found, float(mp.degrees(root))))
-    return max(errors)
+        return max(errors)
+
+    return measure
 
 
-def pseudo_brewster() -> float:
-    """Against the root of the derivative of the textbook Rp."""
-    errors = []
-    for eta in (0.2, 0.6, 1.5, 4.0):
-        for kappa in (0.1, 1.0, 3.0, 8.0):
-            found = float(pseudo_brewster_deg(Interface(1.0, eta, kappa)))
-            with mp.workdps(DIGITS):
-                square = mp.mpc(eta, kappa) ** 2
+def in_phase(quotients: Quotients, theta: mpf) -> mpf:
+    r_s, r_p = quotients(theta)
+    return mp.re(r_p / r_s)
 
-                def Rp(theta: mpf, square: mp.mpc = square) -> mpf:
-                    q = mp.sqrt(square - mp.sin(theta) ** 2)
-                    c = square * mp.cos(theta)
-                    return abs((c - q) / (c + q)) ** 2
 
-                root = mp.findroot(lambda t, Rp=Rp: mp.diff(Rp, t), mp.radians(found))
-                errors.append(relative(found, float(mp.degrees(root))))
-    return max(errors)
+def slope_of_Rp(quotients: Quotients, theta: mpf) -> mpf:
+    return mp.diff(lambda t: abs(quotients(t)[1]) ** 2, theta)
 
 
 @cache
@@ -214,25 +213,19 @@ def scattered() -> list[tuple[tuple[float, float, float, float], Reference]]:
     return rays
 
 
-def refraction() -> float:
-    errors = []
-    for (n_i, n_t, k_t, deg), reference in scattered():
-        angle = float(refraction_angle_deg(Interface(n_i, n_t, k_t), Incidence.from_degrees(deg)))
-        if not math.isnan(angle):
-            errors.append(relative(angle, reference.theta_t_deg))
-    assert len(errors) > 700
-    return max(errors)
+def over_rays(quantity: Callable[[Interface, Incidence], Array], name: str) -> Callable[[], float]:
+    """Against the reference, wherever there is such a quantity."""
 
+    def measure() -> float:
+        errors = []
+        for (n_i, n_t, k_t, deg), reference in scattered():
+            found = float(quantity(Interface(n_i, n_t, k_t), Incidence.from_degrees(deg)))
+            if not math.isnan(found):
+                errors.append(relative(found, getattr(reference, name)))
+        assert len(errors) > 700
+        return max(errors)
 
-def penetration_depth() -> float:
-    errors = []
-    for (n_i, n_t, k_t, deg), reference in scattered():
-        at = Incidence.from_degrees(deg)
-        depth = float(penetration_depth_wavelengths(Interface(n_i, n_t, k_t), at))
-        if not math.isnan(depth):
-            errors.append(relative(depth, reference.depth))
-    assert len(errors) > 700
-    return max(errors)
+    return measure
 
 
 @cache
@@ -241,26 +234,20 @@ def points() -> list[dict[str, float]]:
     return rows
 
 
-def albedo_error(row: dict[str, float]) -> float:
-    found = albedo(Interface(row["n_i"], row["n_t"], row["k_t"]))
-    names = ("s", "p", "unpolarized")
-    return max(relative(float(getattr(found, name)), row[name]) for name in names)
+def at_points(where: Callable[[float, float, float], bool]) -> Callable[[], float]:
+    """Albedos of the points of some kind, against 35 digits."""
 
+    def measure() -> float:
+        errors = []
+        for row in points():
+            media = row["n_i"], row["n_t"], row["k_t"]
+            if where(*media):
+                found = albedo(Interface(*media))
+                names = ("s", "p", "unpolarized")
+                errors += [relative(float(getattr(found, name)), row[name]) for name in names]
+        return max(errors)
 
-def absorbers() -> float:
-    return max(albedo_error(row) for row in points() if row["k_t"] > 0.0)
-
-
-def from_outside() -> float:
-    return max(
-        albedo_error(row) for row in points() if row["k_t"] == 0.0 and row["n_t"] > row["n_i"]
-    )
-
-
-def from_inside() -> float:
-    return max(
-        albedo_error(row) for row in points() if row["k_t"] == 0.0 and row["n_t"] < row["n_i"]
-    )
+    return measure
 
 
 def flatland() -> float:
@@ -354,23 +341,24 @@ def eight_bits() -> float:
         c / 255.0 / 12.92 if c / 255.0 <= 0.04045 else ((c / 255.0 + 0.055) / 1.055) ** 2.4
         for c in range(256)
     ]
-    worst = 0.0
-    for F0 in np.linspace(0.0, 1.0, 20001):
-        worst = max(worst, abs(value("f0", "f0_hex", "F0", F0=float(F0)) - float(F0)))
+    # It is largest half way between two codes in sRGB, on either side of where the code changes.
+    turns = decode_srgb((np.arange(255) + 0.5) / 255.0)
+    tried = np.concatenate([turns - 1e-9, turns + 1e-9, np.linspace(0.0, 1.0, 101)])
+    worst: float = max(abs(value("f0", "f0_hex", "F0", F0=F0) - F0) for F0 in tried.tolist())
     assert worst <= np.diff(codes).max()
     return worst
 
 
 MEASURED: dict[str, Callable[[], float]] = {
-    "angle.brewster": brewster,
-    "angle.critical": critical,
-    "angle.pseudo_brewster": pseudo_brewster,
-    "angle.principal": principal,
-    "angle.refraction": refraction,
-    "angle.penetration_depth": penetration_depth,
-    "albedo.exact": absorbers,
-    "albedo.dielectric": from_outside,
-    "albedo.reciprocity": from_inside,
+    "angle.brewster": of_eta(brewster_deg, mp.atan, np.geomspace(1e-3, 100.0, 300)),
+    "angle.critical": of_eta(critical_deg, mp.asin, np.geomspace(1e-3, 1.0 - 1e-9, 300)),
+    "angle.pseudo_brewster": at_a_root(pseudo_brewster_deg, slope_of_Rp),
+    "angle.principal": at_a_root(principal_deg, in_phase),
+    "angle.refraction": over_rays(refraction_angle_deg, "theta_t_deg"),
+    "angle.penetration_depth": over_rays(penetration_depth_wavelengths, "depth"),
+    "albedo.exact": at_points(lambda n_i, n_t, k_t: k_t > 0.0),  # noqa: ARG005
+    "albedo.dielectric": at_points(lambda n_i, n_t, k_t: k_t == 0.0 and n_t > n_i),
+    "albedo.reciprocity": at_points(lambda n_i, n_t, k_t: k_t == 0.0 and n_t < n_i),
     "albedo.flatland": flatland,
     "albedo.coat": coat,
     "conversion.ior": lambda: back_and_forth("n_t", 1.05, 60.0, "ior", "f0", "F0"),

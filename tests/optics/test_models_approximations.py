@@ -259,26 +259,6 @@ def test_given_parameters_take_the_place_of_the_interface() -> None:
         np.testing.assert_allclose(values, expected, rtol=0.0, atol=TOLERANCE, err_msg=model_id)
 
 
-@pytest.mark.parametrize(
-    ("model_id", "parameter"),
-    [
-        (model.id, parameter.name)
-        for model in default_registry().values()
-        for parameter in model.parameters
-        if parameter.triple
-    ],
-)
-def test_a_triple_gives_three_curves(model_id: str, parameter: str) -> None:
-    model, interface = default_registry()[model_id], Interface(1.0, 1.5, 5.0)
-    incidence = Incidence.from_degrees(ANGLES_DEG)
-    triple = np.array([0.9, 0.6, 0.3])
-    curves = model(interface, incidence, **{parameter: triple[:, np.newaxis]})
-    assert curves.shape == (3, 19)
-    for value, curve in zip(triple, curves, strict=True):
-        np.testing.assert_array_equal(curve, model(interface, incidence, **{parameter: value}))
-    assert len({curve.tobytes() for curve in curves}) == 3
-
-
 def test_hoffman_and_f82_tint_are_one_curve() -> None:
     registry, incidence = default_registry(), Incidence.from_degrees(ANGLES_DEG)
     for media in METALS:
