@@ -4,8 +4,6 @@ Two million cosines, the fastest of the rounds, which are taken in turns: whatev
 does only adds to a time.
 """
 
-from __future__ import annotations
-
 import importlib
 import time
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Write the generated files, or compare them with what is there."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 from pathlib import Path

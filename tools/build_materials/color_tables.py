@@ -1,7 +1,5 @@
 """The CIE tables of `app/optics/color.py`, taken from colour-science at build time."""
 
-from __future__ import annotations
-
 import warnings
 from importlib import import_module
 from importlib.metadata import version

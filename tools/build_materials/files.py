@@ -1,7 +1,5 @@
 """Every generated file as a path and its text."""
 
-from __future__ import annotations
-
 from dataclasses import asdict
 from hashlib import sha256
 from importlib.metadata import version

@@ -1,7 +1,5 @@
 """`index.json`: what lists show of every material, computed by the program's own code."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 import numpy as np

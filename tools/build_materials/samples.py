@@ -3,8 +3,6 @@
 Tests compare the program with these wherever they run, and with the package where it is installed.
 """
 
-from __future__ import annotations
-
 from importlib import import_module
 from typing import Any
 

@@ -1,7 +1,5 @@
 """`materials/selection.yaml`: which page of the database stands for which material."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The form of the generated JSON: one key or preset to a line, so that differences can be read."""
 
-from __future__ import annotations
-
 import json
 from typing import Any
 
