@@ -1,5 +1,6 @@
 /** The collection of formulas: found by a word, each with its letters, source, error and live curve. */
 
+import { INDEX_STEPS } from "../controls/panel.js";
 import { pointsAt } from "../curves/reading.js";
 import { modelStyle, shortTitle } from "../models/look.js";
 import { plain, signed, significant } from "../numbers/format.js";
@@ -11,7 +12,7 @@ import { display, math, words } from "../page/prose.js";
 import { createPlot } from "../plot/plot.js";
 import { UNTOUCHED } from "./fields.js";
 import { FIRST_FORMULA } from "./queries.js";
-import { createOwnRow, INDICES } from "./rows.js";
+import { createOwnRow } from "./rows.js";
 
 /**
  * @typedef {{latex: string, meaning: string, unit: string}} Sign
@@ -212,7 +213,7 @@ export function createFormulas({ catalog, actions, say }) {
     rows = (formula?.takes ?? []).map(({ name, symbol, value: preset, minimum, maximum }) => {
       const { own, label, range } = /** @type {typeof TAKES[string]} */ (TAKES[name]);
       const row = createOwnRow(own, actions, {
-        ...{ preset, label, range, steps: INDICES, prefix: "formula-" },
+        ...{ preset, label, range, steps: INDEX_STEPS, prefix: "formula-" },
         parameter: { name, symbol, minimum, maximum },
       });
       return { own, preset, row };

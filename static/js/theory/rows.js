@@ -1,14 +1,17 @@
 /** The sliders of a lesson: what can be moved, between which ends. */
 
-import { createChoice, createRow } from "../controls/panel.js";
-import { evaluateAngle } from "../numbers/expression.js";
-import { inDegrees, plain } from "../numbers/format.js";
+import {
+  ANGLE_STEPS,
+  angleWriting,
+  createChoice,
+  createRow,
+  INDEX_STEPS,
+} from "../controls/panel.js";
 import { h } from "../page/dom.js";
 
 /**
  * @typedef {import('./lesson.js').RowName} RowName
  * @typedef {import('./lesson.js').Setting} Setting
- * @typedef {{set: (patch: State, options?: {history?: 'push' | 'replace'}) => void, settle: () => void}} Actions
  */
 
 /** Which declared parameter a row moves, where its value stands in a setting, and its name. */
@@ -18,18 +21,7 @@ const ROWS = /** @type {const} */ ({
   own_n: { parameter: "n_t", value: "n_t", label: "second index" },
   own_k: { parameter: "k_t", value: "k_t", label: "extinction" },
 });
-export const DEGREES = { step: 0.5, fine: 0.05, page: 5 };
-export const INDICES = { step: 0.01, fine: 0.001, page: 0.1 };
-
-const writing = {
-  print: (/** @type {number} */ v) => `${plain(v)}°`,
-  end: (/** @type {number} */ v) => `${plain(v)}°`,
-  parse(/** @type {string} */ text) {
-    const typed = evaluateAngle(text, "deg");
-    return inDegrees(typed.value, typed.unit);
-  },
-  allowed: () => "0° to 90°",
-};
+const writing = angleWriting(() => "0° to 90°");
 
 /**
  * A row whose value is the lesson's own until the reader moves it.
@@ -66,7 +58,7 @@ export function createRows({ rows, presets, polarized = false, catalog, actions,
     const preset = /** @type {number} */ (presets[value]);
     const row = createOwnRow(name, actions, {
       ...{ parameter: declared, prefix, preset, label, range },
-      ...(value === "deg" ? { steps: DEGREES, writing } : { steps: INDICES }),
+      ...(value === "deg" ? { steps: ANGLE_STEPS, writing } : { steps: INDEX_STEPS }),
     });
     return { row, value };
   });

@@ -1,12 +1,12 @@
 /** The picture of a lesson: the ray at the surface beside its curves, or a metal's colors. */
 
+import { ANGLE_STEPS } from "../controls/panel.js";
 import { axesOf, landmarksOf, pointsAt, readingAt, values } from "../curves/reading.js";
 import { createDiagram, createSplit } from "../diagram/diagram.js";
 import { CHANNELS, modelTraces, shortTitle } from "../models/look.js";
 import { clamp, snap, stepped } from "../numbers/format.js";
 import { createDataTables, h, setText } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
-import { DEGREES } from "./rows.js";
 
 /**
  * @typedef {import('./lesson.js').Lesson} Lesson
@@ -76,7 +76,7 @@ export function createStage({ catalog, name, actions }) {
 
   /** @param {number} deg @param {boolean} free */
   function drag(deg, free) {
-    const raw = Number((Math.round(deg / DEGREES.fine) * DEGREES.fine).toFixed(9));
+    const raw = Number((Math.round(deg / ANGLE_STEPS.fine) * ANGLE_STEPS.fine).toFixed(9));
     const next = free ? raw : snap(raw, stops(), SNAP_DEGREES);
     if (next !== theta) turn(next);
   }
@@ -86,7 +86,8 @@ export function createStage({ catalog, name, actions }) {
       drag(deg, free),
     onSettle: actions.settle,
     onStep(/** @type {string} */ kind) {
-      const size = { fine: DEGREES.fine, page: DEGREES.page }[kind.slice(0, -1)] ?? DEGREES.step;
+      const size =
+        { fine: ANGLE_STEPS.fine, page: ANGLE_STEPS.page }[kind.slice(0, -1)] ?? ANGLE_STEPS.step;
       if (kind === "home") turn(0);
       else if (kind === "end") turn(90);
       else turn(stepped(theta, kind.endsWith("-") ? -size : size, stops()));
