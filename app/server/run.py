@@ -78,12 +78,12 @@ def configuration(app: Any, settings: Settings, **options: Any) -> uvicorn.Confi
 
 
 def parser(settings: Settings) -> Literal["h11", "httptools"]:
-    """Choose what reads requests: whoever may send what he likes meets h11.
+    """Choose what reads requests: strangers meet h11.
 
-    httptools takes 0.04 ms for a request and 0.08 ms less than h11, but keeps all of a head or a
-    trailer until it ends: 100 MB of short headers over one connection took 2 GB and stopped the server
-    for seconds, 12 MB of pipelined requests 0.8 GB. With h11 none of these, nor an endless address or
-    header, took more than 2 MB.
+    httptools takes 0.08 ms a request less than h11, of 0.16 for a cached answer, but keeps a head, a
+    trailer and requests to come whatever their size: 100 MB of short headers over one connection took
+    2 GB and stopped the server for 4 s, one header of 100 MB stopped it for 18 s, 12 MB of pipelined
+    requests took 0.8 GB. h11 took 3 MB at most for any of these.
     """
     if settings.http != "auto":
         return settings.http
