@@ -45,7 +45,10 @@ class Strict(BaseModel):
 PASSED_ON = ConfigDict(
     extra="forbid", allow_inf_nan=False, json_schema_serialization_defaults_required=True
 )
-"""Of what is read as strictly and sent as it is; answers that add to it keep its descriptions."""
+"""Of what is read as strictly and sent as it is.
+
+Descriptions stand in the annotations: answers that add fields keep them, and the order of the keys.
+"""
 
 
 @dataclass(frozen=True, kw_only=True, config=PASSED_ON)
@@ -193,7 +196,7 @@ class Formula:
     """A dispersion formula by its number in the database, wavelengths in micrometers."""
 
     kind: Literal["formula"]
-    number: int = Field(ge=1, le=9, description="Of refractiveindex.info's formulas.")
+    number: Annotated[int, Field(ge=1, le=9, description="Of refractiveindex.info's formulas.")]
     coefficients: tuple[float, ...]
     range_nm: Range
 

@@ -44,6 +44,7 @@ def test_native_points_are_sent_as_they_are(ask: Ask, id: str) -> None:  # noqa:
         assert answer["native"]["n"]["values"] == list(file.n.values)
         assert set(file.n.wavelength_nm) <= set(answer["wavelength_nm"])
     else:
+        assert list(answer["native"]["n"]) == ["kind", "number", "coefficients", "range_nm"]
         assert answer["native"]["n"]["coefficients"] == list(file.n.coefficients)
     assert (answer["k"] is None) == (file.k is None)
     for value in (v for v in answer["F0"] if v is not None):
