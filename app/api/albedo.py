@@ -1,6 +1,5 @@
 """`/albedo`, its fits, sweep and map, and `/albedo/coat`: what a surface reflects of diffuse light."""
 
-from collections import Counter
 from typing import Annotated, ClassVar
 
 from fastapi import APIRouter, Query
@@ -13,13 +12,17 @@ from app.answers.albedo_grids import AlbedoMap, AlbedoSweep, Shown, albedo_map, 
 from app.answers.axes import MOST_CELLS, MOST_STEPS, Scale, SweptName, refuse_many_cells
 from app.answers.curves import Chosen
 from app.api.axes import swept
-from app.api.model_parameters import ModelsQuery, refuse_foreign_parameters, with_parameters_of
+from app.api.model_parameters import (
+    ModelsQuery,
+    each_once,
+    refuse_foreign_parameters,
+    with_parameters_of,
+)
 from app.api.params import InterfaceQuery, number
 from app.http.problems import MissingResource
 from app.http.query import Count, LongQuery, Number, TableQuery
 from app.http.route import QueryRoute
-from app.optics.albedo import BODY_ALBEDO, FITS, Fit, Quantity, UnknownFit, find_fit
-from app.optics.errors import NotAllowed
+from app.optics.albedo import BODY_ALBEDO, FITS, Quantity, UnknownFit, find_fit
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG
 from app.optics.registry import Registry
 
@@ -122,24 +125,6 @@ class AlbedoMapQuery(TableQuery, LongQuery):
     )
 
 
-def parse_fits(text: str) -> list[Fit]:
-    """Look up comma-separated ids of fits.
-
-    Raises
-    ------
-    UnknownFit
-        If an id is no fit's, naming the nearest.
-    NotAllowed
-        If an id is given twice.
-    """
-    ids = [part.strip() for part in text.split(",")] if text else []
-    fits = [find_fit(fit_id) for fit_id in ids]
-    repeated = [fit_id for fit_id, count in Counter(ids).items() if count > 1]
-    if repeated:
-        raise NotAllowed("fits", text, f"each fit once; {repeated[0]} is there twice")
-    return fits
-
-
 def router(registry: Registry) -> APIRouter:
     """Routes over the fits, and over the models of `registry`."""
     routes = APIRouter(route_class=QueryRoute, tags=["albedo"])
@@ -167,7 +152,8 @@ def router(registry: Registry) -> APIRouter:
     @routes.get("/albedo/sweep", summary="Albedos along n_t, k_t or eta")
     @with_parameters_of(registry)
     def sweep(query: Annotated[AlbedoSweepQuery, Query()]) -> AlbedoSweep:
-        models, fits = query.chosen(), parse_fits(query.fits)
+        models = query.chosen()
+        fits = each_once(query.fits, find_fit, "fit") if query.fits else []
         axis = swept(query, query.over, "", query.steps, query.scale)
         return albedo_sweep(
             query.interface(), axis, fits=fits, models=models, flatland=query.flatland

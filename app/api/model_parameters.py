@@ -26,6 +26,7 @@ from app.optics.errors import NotAllowed
 from app.optics.parameters import Parameter
 from app.optics.registry import Model, Registry
 
+T = TypeVar("T")
 Endpoint = TypeVar("Endpoint", bound=Callable[..., Any])
 
 _ANY_MODELS = "Comma-separated ids of models, as listed at /models."
@@ -37,22 +38,22 @@ _NUMBER: TypeAdapter[float] = TypeAdapter(Number)
 _THREE = {"type": "string", "pattern": "^[^,]+,[^,]+,[^,]+$"}
 
 
-def parse_models(text: str, registry: Registry) -> list[Model]:
-    """Look up comma-separated model ids.
+def each_once(text: str, find: Callable[[str], T], noun: str = "model") -> list[T]:
+    """Look up comma-separated ids, each of which may be given once.
 
     Raises
     ------
-    UnknownModel
-        If an id is not registered, naming the nearest.
+    UnknownName
+        If nothing has an id, naming the nearest.
     NotAllowed
         If an id is given twice.
     """
     ids = [part.strip() for part in text.split(",")]
-    models = [registry.find(model_id) for model_id in ids]
-    repeated = [model_id for model_id, count in Counter(ids).items() if count > 1]
+    found = [find(name) for name in ids]
+    repeated = [name for name, count in Counter(ids).items() if count > 1]
     if repeated:
-        raise NotAllowed("models", text, f"each model once; {repeated[0]} is there twice")
-    return models
+        raise NotAllowed(f"{noun}s", text, f"each {noun} once; {repeated[0]} is there twice")
+    return found
 
 
 def with_model_parameters(base: type[QueryModel], registry: Registry) -> type[QueryModel]:
@@ -83,11 +84,11 @@ class ModelsQuery(QueryModel):
         Raises
         ------
         UnknownModel, NotAllowed
-            As `parse_models` does.
+            As `each_once` does.
         BadParameters
             If parameters of other models are given.
         """
-        models = parse_models(self.models, self.registry)
+        models = each_once(self.models, self.registry.find)
         refuse_foreign_parameters(self, models, self.registry)
         return [Chosen(model, model_arguments(self, model)) for model in models]
 

@@ -6,7 +6,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from app.answers.materials.map import Quantity
-from app.api.model_parameters import ModelsParameter, parse_models
+from app.api.model_parameters import ModelsParameter, each_once
 from app.api.params import (
     MAX_SAMPLES,
     equal_samples,
@@ -191,7 +191,7 @@ class RgbQuery(ColorQuery):
         ]
         if errors and not self.rgb:
             raise BadParameters(*errors)
-        models = parse_models(self.models, registry)
+        models = each_once(self.models, registry.find)
         for model in models:
             if model.id != "exact" and not model.takes_color:
                 able = [m.id for m in registry.values() if m.takes_color]
