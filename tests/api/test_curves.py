@@ -13,8 +13,9 @@ from fastapi import FastAPI
 from hypothesis import given
 from hypothesis import strategies as st
 
+from app.answers.interface import CONVENTION
+from app.answers.rounding import round_significant
 from app.api.params import MAX_SAMPLES
-from app.api.responses import CONVENTION, round_significant
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.registry import default_registry

@@ -14,7 +14,7 @@ from fastapi import FastAPI
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.api.responses import CONVENTION
+from app.answers.interface import CONVENTION
 from tests.api.raw import send
 from tests.api.shape import check_shape, fields_of
 from tests.optics.reference.fresnel import fresnel

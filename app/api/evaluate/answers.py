@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import orjson
 
+from app.answers.interface import CONVENTION
 from app.api.evaluate.pieces import Piece
-from app.api.responses import CONVENTION
 from app.batch.evaluation import Outcome
 from app.batch.rows import Fault
 from app.optics.parameters import Array

@@ -12,6 +12,7 @@ from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect
 from starlette.responses import Response, StreamingResponse
 
+from app.answers.rounding import round_significant
 from app.api.evaluate import arrow
 from app.api.evaluate.answers import ARROW, CSV, JSON, Writer, by_item
 from app.api.evaluate.body import Bodies
@@ -19,7 +20,6 @@ from app.api.evaluate.items import ItemReader
 from app.api.evaluate.negotiation import accepted
 from app.api.evaluate.openapi import operation
 from app.api.evaluate.pieces import MOST_VALUES, Piece, Questions, TooManyValues
-from app.api.responses import round_significant
 from app.batch.evaluation import evaluate
 from app.http.query import DigitsQuery
 from app.http.route import refuse_unknown_and_repeated
