@@ -2,7 +2,7 @@
 
 from app.optics.albedo.coat import BODY_ALBEDO, CoatSplit, coat_split
 from app.optics.albedo.exact import Albedo, Quantity, albedo, method
-from app.optics.albedo.fit import Claim, Domain, Fit, measure_claim
+from app.optics.albedo.fit import Claim, Domain, Fit
 from app.optics.albedo.fits import FITS, UnknownFit, find_fit
 from app.optics.albedo.flatland import flatland_albedo
 from app.optics.albedo.models import model_albedo
@@ -21,7 +21,6 @@ __all__ = [
     "coat_split",
     "find_fit",
     "flatland_albedo",
-    "measure_claim",
     "method",
     "model_albedo",
 ]

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.optics.albedo.exact import Albedo, Quantity, albedo
+from app.optics.albedo.exact import Quantity, albedo
 from app.optics.formulas.formula import Symbol
 from app.optics.interface import Interface, Kind
 from app.optics.parameters import Array
@@ -123,26 +123,6 @@ class Fit:
             return None
         return "made for " + " or ".join(domain.words for domain in self.domains)
 
-    def error(self, interface: Interface, exact: Albedo | None = None) -> Array:
+    def error(self, interface: Interface) -> Array:
         """Fit minus exact albedo, of the fit's own polarization."""
-        exact = exact or albedo(interface)
-        return np.asarray(self(interface) - getattr(exact, self.quantity))
-
-
-def measure_claim(fit: Fit, claim: Claim, steps: int) -> tuple[float, tuple[float, float]]:
-    """Largest error of `fit` over `claim.measured_over`, and the (eta, kappa) it is found at.
-
-    Parameters
-    ----------
-    steps
-        Points along each side of the domain; the largest errors lie on its edges or on smooth
-        maxima, so 201 of them give three digits.
-    """
-    interface = claim.measured_over.grid(steps)
-    exact = albedo(interface)
-    error = np.abs(fit.error(interface, exact))
-    if claim.relative:
-        error = error / getattr(exact, fit.quantity)
-    worst = np.unravel_index(np.argmax(error), error.shape)
-    eta, kappa = (np.broadcast_to(v, error.shape)[worst] for v in (interface.eta, interface.kappa))
-    return float(error[worst]), (float(eta), float(kappa))
+        return np.asarray(self(interface) - getattr(albedo(interface), self.quantity))
