@@ -232,30 +232,6 @@ export function plan(drawn, stage, face, previous) {
 }
 
 /**
- * @param {Theme} theme
- * @returns {DiagramFaces}
- */
-function faces({ family, symbolFamily, unit }) {
-  /** @param {number} size @param {number} symbolSize @param {number} [weight] */
-  const face = (size, symbolSize, weight = 400) =>
-    createMeasure({
-      family,
-      symbolFamily,
-      size: size * unit,
-      symbolSize: symbolSize * unit,
-      weight,
-    });
-  // the sizes of explore.css
-  return {
-    name: face(14, 16, 600),
-    index: face(12, 14),
-    angle: face(13, 16),
-    share: face(13, 15, 600),
-    landmark: face(11, 13),
-  };
-}
-
-/**
  * @param {import("./scene.js").Scene} scene
  */
 export function createAnnotations(scene) {
@@ -277,7 +253,14 @@ export function createAnnotations(scene) {
   return {
     /** @param {Theme} theme */
     useFaces(theme) {
-      widths = faces(theme);
+      // the sizes of explore.css
+      widths = {
+        name: createMeasure(theme, 14, 16, 600),
+        index: createMeasure(theme, 12, 14),
+        angle: createMeasure(theme, 13, 16),
+        share: createMeasure(theme, 13, 15, 600),
+        landmark: createMeasure(theme, 11, 13),
+      };
     },
     /**
      * @param {Drawn} drawn

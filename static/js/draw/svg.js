@@ -194,13 +194,21 @@ export function advances(font) {
 }
 
 /**
- * A function that gives the width of a label in px, for one size and weight of the text face.
- * @param {{family: string, symbolFamily: string, size: number, weight?: number, symbolSize?: number}} face
+ * A function that gives the width of a label in px, for one size and weight of the page's faces.
+ * @param {Pick<Theme, "family" | "symbolFamily" | "unit">} theme
+ * @param {number} size at a desk
+ * @param {number} [symbolSize]
+ * @param {number} [weight]
  * @returns {Measure}
  */
-export function createMeasure({ family, symbolFamily, size, weight = 400, symbolSize = size }) {
-  const text = advances(`${weight} ${size}px ${family}`);
-  const symbol = advances(`italic ${weight} ${symbolSize}px ${symbolFamily}`);
+export function createMeasure(
+  { family, symbolFamily, unit },
+  size,
+  symbolSize = size,
+  weight = 400,
+) {
+  const text = advances(`${weight} ${size * unit}px ${family}`);
+  const symbol = advances(`italic ${weight} ${symbolSize * unit}px ${symbolFamily}`);
   return (label) => {
     let width = 0;
     for (const run of runs(label)) {

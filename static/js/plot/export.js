@@ -33,8 +33,9 @@ export function exportFigure({
   padding = PADDING,
 }) {
   const { family, symbolFamily } = theme;
-  const text = createMeasure({ family, symbolFamily, size: 12 });
-  const label = createMeasure({ family, symbolFamily, size: 13, symbolSize: LABEL_SIZE });
+  const faces = { ...theme, unit: 1 };
+  const text = createMeasure(faces, 12);
+  const label = createMeasure(faces, 13, LABEL_SIZE);
   const landmarks = marks.filter((mark) => mark.kind === "landmark");
   const named = traces.filter((trace) => !trace.bare);
   const arrangement = arrange({

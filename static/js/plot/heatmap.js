@@ -169,7 +169,7 @@ export function createHeatmap(element, options) {
 
   /** @param {{width: number, height: number}} size @param {{header?: number, padding?: number}} [around] @param {Theme} [inks] */
   function arranged(size, around = {}, inks = host.theme()) {
-    const measure = createMeasure({ ...inks, size: 12 * inks.unit });
+    const measure = createMeasure(inks, 12);
     return arrange({
       size,
       axes: axes(),

@@ -111,20 +111,10 @@ export function createOverlay(area) {
   const useFaces = (theme) => {
     if (theme === faces) return;
     faces = theme;
-    const { family, symbolFamily, unit } = theme;
-    /** @param {number} size @param {number} symbolSize @param {number} [weight] */
-    const face = (size, symbolSize, weight = 400) =>
-      createMeasure({
-        family,
-        symbolFamily,
-        size: size * unit,
-        symbolSize: symbolSize * unit,
-        weight,
-      });
+    // the sizes of explore.css
     measures = {
-      // the sizes of explore.css
-      label: face(13, LABEL_SIZE, 500),
-      text: face(12, 12),
+      label: createMeasure(theme, 13, LABEL_SIZE, 500),
+      text: createMeasure(theme, 12),
     };
   };
 
