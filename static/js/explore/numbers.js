@@ -6,34 +6,29 @@ import { copying, h, setText, symbol } from "../page/dom.js";
 /** While something moves, the numbers are written as often as an eye can catch, ms apart. */
 const READABLE = 100;
 
-/** Four columns where there is room. @type {() => NumberEntry[]} */
-const SUMMARY = () => [
-  { name: "R", heading: symbol("R"), get: (r) => r.R },
-  { name: "Rs", heading: symbol("R_s"), get: (r) => r.Rs },
-  { name: "Rp", heading: symbol("R_p"), get: (r) => r.Rp },
-  { name: "F0", heading: symbol("F_0"), get: (r) => r.interface.F0 },
-  { name: "T", heading: symbol("T"), get: (r) => r.T },
-  { name: "Ts", heading: symbol("T_s"), get: (r) => r.Ts },
-  { name: "Tp", heading: symbol("T_p"), get: (r) => r.Tp },
-  { name: "F82", heading: symbol("F_{82}"), get: (r) => r.interface.F82 },
-  { name: "theta_t", heading: symbol("\\theta_t"), get: (r) => r.theta_t_deg, degrees: true },
-  {
-    name: "penetration_depth_wavelengths",
-    heading: "depth / λ",
-    get: (r) => r.penetration_depth_wavelengths,
-  },
-  { name: "eta", heading: symbol("\\eta"), get: (r) => r.interface.eta },
-  { name: "kappa", heading: symbol("\\kappa"), get: (r) => r.interface.kappa },
-  { name: "brewster", heading: "Brewster", get: (r) => r.interface.brewster_deg, degrees: true },
-  { name: "critical", heading: "critical", get: (r) => r.interface.critical_deg, degrees: true },
-  {
-    name: "pseudo_brewster",
-    heading: "pseudo-Brewster",
-    get: (r) => r.interface.pseudo_brewster_deg,
-    degrees: true,
-  },
-  { name: "principal", heading: "principal", get: (r) => r.interface.principal_deg, degrees: true },
-];
+/** Four columns where there is room. @returns {NumberEntry[]} */
+function summaryEntries() {
+  /** @type {[string, Node | string, (r: Reading) => number | null, degrees?: boolean][]} */
+  const entries = [
+    ["R", symbol("R"), (r) => r.R],
+    ["Rs", symbol("R_s"), (r) => r.Rs],
+    ["Rp", symbol("R_p"), (r) => r.Rp],
+    ["F0", symbol("F_0"), (r) => r.interface.F0],
+    ["T", symbol("T"), (r) => r.T],
+    ["Ts", symbol("T_s"), (r) => r.Ts],
+    ["Tp", symbol("T_p"), (r) => r.Tp],
+    ["F82", symbol("F_{82}"), (r) => r.interface.F82],
+    ["theta_t", symbol("\\theta_t"), (r) => r.theta_t_deg, true],
+    ["penetration_depth_wavelengths", "depth / λ", (r) => r.penetration_depth_wavelengths],
+    ["eta", symbol("\\eta"), (r) => r.interface.eta],
+    ["kappa", symbol("\\kappa"), (r) => r.interface.kappa],
+    ["brewster", "Brewster", (r) => r.interface.brewster_deg, true],
+    ["critical", "critical", (r) => r.interface.critical_deg, true],
+    ["pseudo_brewster", "pseudo-Brewster", (r) => r.interface.pseudo_brewster_deg, true],
+    ["principal", "principal", (r) => r.interface.principal_deg, true],
+  ];
+  return entries.map(([name, heading, get, degrees]) => ({ name, heading, get, degrees }));
+}
 
 const AMPLITUDES = /** @type {const} */ (["r_s", "r_p", "t_s", "t_p"]);
 const PARTS = /** @type {const} */ (["re", "im", "abs", "phase_deg"]);
@@ -76,7 +71,7 @@ export function createNumbers(say) {
     return { entry, value };
   }
 
-  const summary = SUMMARY().map(cell);
+  const summary = summaryEntries().map(cell);
   const amplitudes = amplitudeEntries().map((row) => row.map(cell));
   const all = [...summary, ...amplitudes.flat()];
 
