@@ -33,7 +33,7 @@ const REFUSED = "A part of the page did not arrive. Is the server running, and a
 const ANSWER_DUE = 80; // ms that a picture in motion waits for its answer
 const PAGE_ANGLE = 64; // where the page starts: R, Rs and Rp are well apart
 const SAY_AFTER = 900; // ms of rest before the numbers are spoken
-const KEEP_AFTER = 3000; // ms at rest until what is needed offline is kept: fetching it all slows down a drag
+const KEEP_AFTER = 3000; // ms after the last picture until what is needed offline is kept: fetching it slows a drag down
 
 /** @param {Catalog} catalog @returns {Record<string, Field>} the state that all views share */
 function sharedFields({ parameters, materials }) {
@@ -218,6 +218,7 @@ async function start() {
     if (asking.waiting()) requestAnimationFrame(() => setTimeout(asking.askLater));
     clearTimeout(speech);
     if (state.moving()) return;
+    restLater();
     shell.showCalls(here.module.restCalls(now, catalog));
     if (now.embed) shell.showWhole(state.toQuery());
     speech = setTimeout(() => {
@@ -228,18 +229,20 @@ async function start() {
 
   /** Keeps what is on the screen for when the server does not answer. */
   let keep = () => {};
+  let rested = false;
   async function rest() {
-    stopWaiting();
+    rested = true;
     const { settleDown } = await import("./page/rest.js");
     const guest = Boolean(state.get().embed);
     keep = settleDown({ guest, paths: asking.paths, showVersion: shell.showVersion });
   }
-  const restLater = () => setTimeout(() => rest().catch(() => {}), KEEP_AFTER);
-  let resting = restLater();
-  const stopWaiting = state.subscribe(() => {
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let resting;
+  function restLater() {
     clearTimeout(resting);
-    resting = restLater();
-  });
+    if (!rested) resting = setTimeout(() => rest().catch(() => {}), KEEP_AFTER);
+  }
+  state.subscribe(restLater);
 
   /** Views that could not be loaded before. @type {Set<string>} */
   const refused = new Set();

@@ -48,8 +48,6 @@ test("the page asks by itself until a worker is up, then the worker asks", async
   assert.deepEqual(await get("api/v1/health"), { status: 200, text: "by itself" });
 
   worker.say("message", { id: 0, status: 0, text: "" });
-  await import("../../static/js/server/worker.js");
-  await Promise.resolve();
   const answer = get("api/v1/curves?n_t=2");
   const [question] = worker.told;
   assert.equal(question.url, "http://localhost:8000/api/v1/curves?n_t=2");

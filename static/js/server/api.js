@@ -92,6 +92,36 @@ async function direct(url, signal) {
   }
 }
 
+/**
+ * @param {Worker} worker
+ * @returns {Transport}
+ */
+function through(worker) {
+  let last = 0;
+  /** @type {Map<number, (answer: Received) => void>} */
+  const waiting = new Map();
+  worker.addEventListener("message", ({ data: { id, status, text } }) => {
+    waiting.get(id)?.({ status, text });
+    waiting.delete(id);
+  });
+  worker.addEventListener("error", () => {
+    for (const answer of waiting.values()) answer({ status: 0, text: "" });
+    waiting.clear();
+  });
+  return (url, signal) =>
+    new Promise((resolve, reject) => {
+      last += 1;
+      const id = last;
+      waiting.set(id, resolve);
+      worker.postMessage({ id, url: new URL(url, document.baseURI).href });
+      signal?.addEventListener("abort", () => {
+        waiting.delete(id);
+        worker.postMessage({ id });
+        reject(signal.reason);
+      });
+    });
+}
+
 /** @type {Transport} */
 let transport = direct;
 
@@ -103,8 +133,7 @@ export function startWorker() {
   if (typeof Worker === "undefined") return;
   setTimeout(() => {
     const worker = new Worker(new URL("fetcher.js", import.meta.url), { type: "module" });
-    const up = async () => {
-      const { through } = await import("./worker.js");
+    const up = () => {
       transport = through(worker);
     };
     worker.addEventListener("message", up, { once: true });
