@@ -5,28 +5,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.optics.albedo import albedo, coat_split
+from app.optics.albedo import coat_split
 from app.optics.amplitudes import power
 from app.optics.errors import NotAllowed, OutOfRange
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-
-
-def test_split_is_the_sum_over_all_internal_reflections() -> None:
-    coat, rho = Interface(n_t=1.5), 0.6
-    outer = float(albedo(coat).unpolarized)
-    inner = float(albedo(Interface(1.5, 1.0)).unpolarized)
-    inside, body, absorbed = 1.0 - outer, 0.0, 0.0
-    for _ in range(400):
-        absorbed += inside * (1.0 - rho)
-        scattered = inside * rho
-        body += scattered * (1.0 - inner)
-        inside = scattered * inner
-    split = coat_split(coat, rho)
-    assert float(split.surface) == outer
-    assert float(split.internal) == inner
-    assert float(split.body) == pytest.approx(body, rel=1e-13)
-    assert float(split.absorbed) == pytest.approx(absorbed, rel=1e-13)
 
 
 def test_internal_and_external_albedo_are_reciprocal() -> None:

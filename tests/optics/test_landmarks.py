@@ -253,30 +253,10 @@ def test_fresnels_rhomb() -> None:
     assert abs(float(shift)) == pytest.approx(45.0, abs=0.02)
 
 
-def test_principal_angle_has_a_quarter_wave_between_p_and_s() -> None:
-    """Where the phases differ by 90 degrees, s and p reflected at 45 degrees give circular light."""
-    interface = Interface(1.0, 0.2, 3.0)
-    theta = np.linspace(0.0, 90.0, 90001)
-    amplitude = amplitudes(interface, Incidence.from_degrees(theta))
-    difference = np.angle(amplitude.r_p / amplitude.r_s)
-    assert abs(difference[0]) == pytest.approx(np.pi, abs=1e-12)
-    assert difference[-1] == pytest.approx(0.0, abs=1e-12)
-    principal = theta[np.argmin(np.abs(np.abs(difference) - np.pi / 2.0))]
-    # tan(theta) sin(theta) is near |N| for good metals (Born and Wolf, 14.2).
-    assert np.tan(np.radians(principal)) * np.sin(np.radians(principal)) == pytest.approx(3.2, 0.02)
-
-
 def test_F82_is_the_reflectance_at_one_seventh() -> None:
     interface = Interface(1.0, [0.2, 1.5], [3.0, 0.0])
     incidence = Incidence.from_degrees(np.degrees(np.arccos(MU_BAR)))
     assert np.allclose(F82(interface), power(interface, incidence).R, rtol=1e-12)
-
-
-def test_air_to_glass_as_textbooks_print_it() -> None:
-    """Hecht, Optics, 4th ed., section 4.6: n = 1.5, R = 4 %; polarization angle 56.3 degrees."""
-    assert float(Interface(n_t=1.5).F0) == pytest.approx(0.04, abs=1e-15)
-    assert float(brewster_deg(Interface(n_t=1.5))) == pytest.approx(56.3, abs=0.05)
-    assert float(critical_deg(Interface(1.5, 1.0))) == pytest.approx(41.8, abs=0.05)
 
 
 @pytest.mark.parametrize(
