@@ -1,13 +1,10 @@
 """The API's routes by their paths: for the front, and to be asked within the process."""
 
 from collections.abc import Iterable, Mapping
-from functools import partial
 from typing import Any
 from urllib.parse import unquote
 
-import orjson
 from fastapi import APIRouter
-from starlette.responses import Response
 
 from app.answers.rounding import rounded
 from app.http.route import QueryRoute
@@ -51,10 +48,6 @@ class RouteTable:
         route, parts, text = self._routed(target)
         query = route.read(text)
         answer = route.answer(parts, query)
-        if isinstance(answer, partial):  # until every answer is typed
-            answer = answer()
-        if isinstance(answer, Response):
-            return orjson.loads(answer.body)
         return rounded(answer, getattr(query, "digits", 17))
 
     def written(self, target: str) -> bytes:
@@ -68,7 +61,3 @@ class RouteTable:
         if route is None:
             raise LookupError(path)
         return route, parts, query.encode()
-
-    def json(self, target: str) -> Any:
-        """Answer as `ask` does, read as JSON."""
-        return orjson.loads(self.written(target))

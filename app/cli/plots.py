@@ -1,22 +1,27 @@
 """Figures in the terminal, in a browser and in files."""
 
+from __future__ import annotations
+
+import math
 import re
 import shutil
 import tempfile
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import typer
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
 
 # Signals without a marker of their own would all be drawn alike where there are no colors.
 _TALLEST = 30
 
 
-def in_terminal(figure_json: bytes) -> str:
+def in_terminal(figure: go.Figure) -> str:
     """Draw the lines of a Plotly figure with characters, a plot for each of its vertical axes."""
     import plotext
-    import plotly.io
 
-    figure = plotly.io.from_json(figure_json.decode())
     axes: dict[str, list[object]] = {}
     for trace in figure.data:
         if trace.type == "scatter":
@@ -30,7 +35,7 @@ def in_terminal(figure_json: bytes) -> str:
         plot.plot_size(columns, height)
         for trace in traces:
             given = zip(trace.x, trace.y, strict=True)  # type: ignore[attr-defined]
-            points = [(float(x), float(y)) for x, y in given if y is not None]
+            points = [(float(x), float(y)) for x, y in given if math.isfinite(y)]
             signal = plot.signal(*map(list, zip(*points, strict=True))).lines()
             signal.label(trace.name)  # type: ignore[attr-defined]
             plot.draw(signal)

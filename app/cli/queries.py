@@ -2,17 +2,17 @@
 
 import inspect
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
-from typing import Annotated, Any, Literal, NoReturn, get_args, get_origin
+from typing import Any
 from urllib.parse import quote, unquote, urlencode
 
 import orjson
 import typer
 import typer.main
-from annotated_types import Ge, Gt, Le
 from pydantic.fields import FieldInfo
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
@@ -21,13 +21,12 @@ from typer.core import TyperGroup
 from app.api import PREFIX
 from app.api.table import RouteTable
 from app.cli import plots, tables
+from app.cli.options import OUTPUT, argument, output_parameters, parameter
 from app.cli.tables import Sheets
 from app.http.problems import PROBLEMS, problem_of
 from app.settings import Settings
 
 _DIGITS = "6"  # of a table, where nobody asked for more
-_FORMATS = ("table", "json", "csv")
-_PICTURES = ("html", "json", "svg", "png", "pdf")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -76,7 +75,7 @@ COMMANDS = (
         route="/albedo",
         help="Hemispherical albedo, exact and by every fit: fresnel-explorer albedo --n_t 1.5",
         sheets=tables.several(
-            lambda answer: tables.pairs({"exact": answer["exact"], "flatland": answer["flatland"]}),
+            lambda answer: tables.pairs({"exact": answer.exact, "flatland": answer.flatland}),
             tables.listed("models", "model", "value", "error", "reason", title="models"),
             tables.listed("approximations", "id", "value", "error", "reason", title="fits"),
         ),
@@ -149,203 +148,95 @@ def _table() -> RouteTable:
     return table
 
 
-def _fail(path: str, error: Exception) -> NoReturn:
+@contextmanager
+def _told(path: str) -> Iterator[None]:
     """Tell a problem in the API's words, with the exit code of a wrong call."""
-    response = problem_of(Request({"type": "http", "path": path, "headers": []}), error)
-    typer.echo(f"Error: {orjson.loads(response.body)['detail']}", err=True)
+    problem: Exception
+    try:
+        yield
+        return
+    except LookupError:
+        path, problem = unquote(path), HTTPException(404)
+    except PROBLEMS as error:
+        problem = error
+    response = problem_of(Request({"type": "http", "path": PREFIX + path, "headers": []}), problem)
+    typer.echo(f"Error: {response.detail}", err=True)
     raise typer.Exit(2)
 
 
-def _ask(path: str, query: Mapping[str, str]) -> bytes:
-    try:
+def _ask(path: str, query: Mapping[str, str]) -> Any:
+    """The answer of a route."""
+    with _told(path):
+        return _table().ask(f"{path}?{urlencode(query)}")
+
+
+def _written(path: str, query: Mapping[str, str]) -> bytes:
+    """The answer of a route as the API sends it."""
+    with _told(path):
         return _table().written(f"{path}?{urlencode(query)}")
-    except LookupError:
-        _fail(PREFIX + unquote(path), HTTPException(404))
-    except PROBLEMS as error:
-        _fail(PREFIX + path, error)
 
 
-def _of_the_figure(command: Command, given: Mapping[str, str], argument: str) -> dict[str, str]:
-    """Those of the parameters that the figure takes too."""
-    figure, _ = _table().find(f"/figures/{command.figure}")
-    assert figure is not None and figure.query_model is not None  # noqa: S101, PT018 - checked by a test
-    known = {info.alias or name for name, info in figure.query_model.model_fields.items()}
-    every = {**given, **({command.argument: argument} if command.argument else {})}
-    return {name: value for name, value in every.items() if name in known}
+def _fields(path: str) -> Mapping[str, FieldInfo]:
+    """What the route of a path takes; nothing where there is no route."""
+    route, _ = _table().find(path)
+    return route.query_model.model_fields if route and route.query_model else {}
 
 
 def _run(command: Command, given: dict[str, str], output: Mapping[str, Any]) -> None:
-    argument = given.pop(command.argument) if command.argument else ""
-    path = command.route.replace(f"{{{command.argument}}}", quote(argument, safe=""))
+    path, named = command.route, {}
+    if command.argument:
+        named = {command.argument: given.pop(command.argument)}
+        path = path.format_map({name: quote(value, safe="") for name, value in named.items()})
+    fields, form = _fields(path), output["format"]
     if output["plot"] or output["open"] or output["save"]:
-        _draw(command, _of_the_figure(command, given, argument), output)
-        return
-    if output["format"] == "table":
-        route, _ = _table().find(path)
-        fields = (
-            {} if route is None or route.query_model is None else route.query_model.model_fields
-        )
+        _draw(command, given | named, output)
+    elif form == "json" and sys.stdout.isatty():
+        indented = orjson.OPT_SERIALIZE_NUMPY | orjson.OPT_INDENT_2
+        typer.echo(orjson.dumps(_ask(path, given), option=indented))
+    elif form == "json":
+        typer.echo(_written(path, given))
+    elif form == "csv" and "format" in fields:
+        written = _written(path, {**given, "format": "csv"}).decode()
+        typer.echo(written.replace("\r\n", "\n"), nl=False)
+    elif form == "csv":
+        typer.echo(tables.write_csv(command.sheets(_ask(path, given))), nl=False)
+    else:
         usual = {"digits": _DIGITS, **command.in_table}
         given = {name: v for name, v in usual.items() if name in fields} | given
-        tables.print_tables(command.sheets(orjson.loads(_ask(path, given))))
-        return
-    if output["format"] == "csv":
-        typer.echo(_csv(command, path, given), nl=False)
-        return
-    body = _ask(path, given)
-    shown = orjson.dumps(orjson.loads(body), option=orjson.OPT_INDENT_2)
-    typer.echo(shown if sys.stdout.isatty() else body)
+        tables.print_tables(command.sheets(_ask(path, given)))
 
 
-def _csv(command: Command, path: str, given: Mapping[str, str]) -> str:
-    """CSV as the route writes it, or of the first table."""
-    route, _ = _table().find(path)
-    if (
-        route is not None
-        and route.query_model is not None
-        and "format" in route.query_model.model_fields
-    ):
-        written = _ask(path, {**given, "format": "csv"}).decode()
-        return written.replace("\r\n", "\n")
-    return tables.write_csv(command.sheets(orjson.loads(_ask(path, given))))
-
-
-def _draw(command: Command, given: dict[str, str], output: Mapping[str, Any]) -> None:
+def _draw(command: Command, given: Mapping[str, str], output: Mapping[str, Any]) -> None:
     path = f"/figures/{command.figure}"
+    known = {info.alias or name for name, info in _fields(path).items()}
+    taken = {name: value for name, value in given.items() if name in known}
     if output["plot"]:
-        typer.echo(plots.in_terminal(_ask(path, given)))
+        typer.echo(plots.in_terminal(_ask(path, taken).figure))
     if output["save"]:
         file: Path = output["save"]
-        body = _ask(path, given | {"format": file.suffix.removeprefix(".")})
+        body = _written(path, taken | {"format": file.suffix.removeprefix(".")})
         file.write_bytes(body)
         typer.echo(f"{file}: {len(body)} bytes", err=True)
     if output["open"]:
-        page = _ask(path, given | {"format": "html"})
-        typer.echo(plots.open_page(page), err=True)
-
-
-def _range(info: FieldInfo) -> str:
-    low = next(
-        (m.ge if isinstance(m, Ge) else m.gt for m in info.metadata if isinstance(m, Ge | Gt)), None
-    )
-    high = next((m.le for m in info.metadata if isinstance(m, Le)), None)
-    return f" From {low:g} to {high:g}." if low is not None and high is not None else ""
-
-
-def _default(info: FieldInfo) -> str:
-    if info.default in (None, "") or isinstance(info.default, bool):
-        return ""
-    return f" By default {info.default}."
-
-
-def _choices(info: FieldInfo) -> tuple[str, ...]:
-    kinds = [info.annotation, *get_args(info.annotation)]
-    found = next((kind for kind in kinds if get_origin(kind) is Literal), None)
-    return tuple(map(str, get_args(found)))
-
-
-def _completion(name: str, choices: tuple[str, ...]) -> Callable[[str], list[str]] | None:
-    """What the shell offers for a parameter: choices, models one after the other, materials."""
-    if choices:
-        return lambda incomplete: [c for c in choices if c.startswith(incomplete)]
-    if name in ("models", "model"):
-
-        def models(incomplete: str) -> list[str]:
-            before, comma, last = incomplete.rpartition(",")
-            ids = [m["id"] for m in _table().json("/models?fields=id")["models"]]
-            return [before + comma + one for one in ids if one.startswith(last)]
-
-        return models
-    if name in ("material", "incident"):
-
-        def materials(incomplete: str) -> list[str]:
-            ids = [m["id"] for m in _table().json("/materials?fields=id")["materials"]]
-            return [one for one in ids if one.startswith(incomplete)]
-
-        return materials
-    return None
-
-
-def _parameter(name: str, info: FieldInfo) -> inspect.Parameter:
-    """An option of a command, made from a field of the query that the route declares."""
-    alias, choices = info.alias or name, _choices(info)
-    flag = info.annotation is bool
-    option = typer.Option(
-        f"--{alias}",
-        help=f"{info.description}{_range(info)}{_default(info)}",
-        show_default=False,
-        metavar=None if flag else "|".join(choices) or ("NUMBER" if _range(info) else "TEXT"),
-        autocompletion=None if flag else _completion(alias, choices),
-        rich_help_panel="Parameters of the models" if "." in alias else "Query",
-    )
-    kind: Any = Annotated[bool, option] if flag else Annotated[str | None, option]
-    return inspect.Parameter(
-        name, inspect.Parameter.KEYWORD_ONLY, default=False if flag else None, annotation=kind
-    )
-
-
-def _output_parameters(command: Command) -> list[inspect.Parameter]:
-    def option(name: str, kind: Any, default: Any, text: str, **more: Any) -> inspect.Parameter:
-        declared = typer.Option(f"--{name}", help=text, rich_help_panel="Output", **more)
-        return inspect.Parameter(
-            f"output_{name}",
-            inspect.Parameter.KEYWORD_ONLY,
-            default=default,
-            annotation=Annotated[kind, declared],
-        )
-
-    offered = [
-        option(
-            "format",
-            Literal[_FORMATS],
-            "table",
-            "As what to print it; JSON and CSV are those of the API.",
-        )
-    ]
-    if command.figure:
-        saved = f"Write the figure to a file that ends in {', '.join(_PICTURES)}."
-        offered += [
-            option("plot", bool, False, "Draw it in the terminal."),
-            option("open", bool, False, "Show the figure in the browser."),
-            option("save", Path | None, None, saved, dir_okay=False),
-        ]
-    return offered
+        typer.echo(plots.open_page(_written(path, taken | {"format": "html"})), err=True)
 
 
 def _command(command: Command) -> Callable[..., None]:
     """Write the function of a command; typer reads its options from its signature."""
-    route, _ = _table().find(command.route.replace("{material}", "Au"))
-    if route is None:
-        raise LookupError(command.route)
-    fields = {} if route.query_model is None else route.query_model.model_fields
+    fields = _fields(command.route.replace("{material}", "Au"))
     aliases = {name: info.alias or name for name, info in fields.items()}
-    parameters = [_parameter(n, info) for n, info in fields.items() if n != "format"]
-    if command.argument:
-        completed = typer.Argument(
-            help="Id, alias or name.", autocompletion=_completion(command.argument, ())
-        )
-        parameters.insert(
-            0,
-            inspect.Parameter(
-                command.argument,
-                inspect.Parameter.KEYWORD_ONLY,
-                annotation=Annotated[str, completed],
-            ),
-        )
-    parameters += _output_parameters(command)
+    parameters = [argument(command.argument)] if command.argument else []
+    parameters += [parameter(n, info) for n, info in fields.items() if n != "format"]
+    parameters += output_parameters(figure=command.figure is not None)
 
     def run(**values: Any) -> None:
         output = {"plot": False, "open": False, "save": None}
-        output |= {
-            name.removeprefix("output_"): value
-            for name, value in values.items()
-            if name.startswith("output_")
-        }
-        given = {
-            aliases.get(name, name): "true" if value is True else str(value)
-            for name, value in values.items()
-            if not name.startswith("output_") and value not in (None, False)
-        }
+        given = {}
+        for name, value in values.items():
+            if name.startswith(OUTPUT):
+                output[name.removeprefix(OUTPUT)] = value
+            elif value not in (None, False):
+                given[aliases.get(name, name)] = "true" if value is True else str(value)
         _run(command, given, output)
 
     run.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]

@@ -2,14 +2,19 @@
 
 import csv
 import io
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from typing import Any
 
+import numpy as np
 import typer
 from rich import box
 from rich.console import Console
 from rich.table import Table
+
+from app.answers.conversions import Conversions
+from app.answers.curves import Curves
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,26 +36,35 @@ def pairs(answer: Any) -> list[Sheet]:
     return [Sheet(("name", "value"), list(_flat(answer)))]
 
 
-def _flat(value: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, Any]]:
-    for name, entry in value.items():
-        if isinstance(entry, Mapping):
+def _entries(value: Any) -> Mapping[str, Any] | None:
+    """Fields by name, of what has some."""
+    if isinstance(value, Mapping):
+        return value
+    return {f.name: getattr(value, f.name) for f in fields(value)} if is_dataclass(value) else None
+
+
+def _flat(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
+    for name, entry in (_entries(value) or {}).items():
+        if _entries(entry) is not None:
             yield from _flat(entry, f"{path}{name}.")
         elif name not in _PROSE and not (
-            isinstance(entry, list) and entry and isinstance(entry[0], Mapping)
+            isinstance(entry, list | tuple) and entry and _entries(entry[0]) is not None
         ):
             yield path + name, entry
+
+
+def _inside(row: Any, column: str) -> Any:
+    """Follow a column's name, whose dots lead inside; None where there is nothing."""
+    for name in column.split("."):
+        row = row.get(name) if isinstance(row, Mapping) else getattr(row, name, None)
+    return row
 
 
 def listed(key: str, *columns: str, title: str = "") -> Sheets:
     """One row for each object of a list; a dot in a column's name leads inside."""
 
-    def inside(row: Any, column: str) -> Any:
-        for name in column.split("."):
-            row = None if row is None else row.get(name)
-        return row
-
     def sheets(answer: Any) -> list[Sheet]:
-        rows = [[inside(row, column) for column in columns] for row in answer[key]]
+        rows = [[_inside(row, column) for column in columns] for row in getattr(answer, key)]
         header = [column.rpartition(".")[2] for column in columns]
         return [Sheet(header, rows, title)] if rows else []
 
@@ -62,33 +76,33 @@ def several(*parts: Sheets) -> Sheets:
     return lambda answer: [sheet for part in parts for sheet in part(answer)]
 
 
-def curves(answer: Any) -> list[Sheet]:
+def curves(answer: Curves) -> list[Sheet]:
     """An angle a row, a curve a column."""
-    header = ["theta_i_deg", *(f"{c['model']}.{c['quantity']}" for c in answer["curves"])]
-    columns = [answer["theta_i_deg"], *(c["values"] for c in answer["curves"])]
-    return [Sheet(header, list(zip(*columns, strict=True)))]
+    columns = answer.table().columns
+    return [Sheet(list(columns), list(zip(*columns.values(), strict=True)))]
 
 
-def conversions(answer: Any) -> list[Sheet]:
+def conversions(answer: Conversions) -> list[Sheet]:
     """A value a row, with how much is lost on the way to it."""
     rows = [
-        (result["form"], name, value, result["status"], result["why"])
+        (result.form, name, value, result.status, result.why)
         for result in answer["results"]
-        for name, value in result["values"].items()
+        for name, value in result.values.items()
     ]
     return [Sheet(("form", "name", "value", "status", "why"), rows)]
 
 
 def cell(value: Any) -> str:
-    """Write a value: numbers as short as they are, nothing for null."""
+    """Write a value: numbers as short as they are, nothing for what is not known."""
     if value is None:
         return ""
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, float):
-        return f"{value:.17g}" if float(f"{value:.12g}") != value else f"{value:.12g}"
-    if isinstance(value, list):
-        return ", ".join(cell(entry) for entry in value)
+        written = f"{value:.12g}" if float(f"{value:.12g}") == value else f"{value:.17g}"
+        return written if math.isfinite(value) else ""
+    if isinstance(value, list | tuple | np.ndarray):
+        return ", ".join(map(cell, value))
     return str(value)
 
 

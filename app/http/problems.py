@@ -68,13 +68,19 @@ def schemas() -> dict[str, Any]:
     return defined
 
 
+class ProblemResponse(Response):
+    """A problem as it is sent, which says within the process what it is about."""
+
+    detail: str
+
+
 def problem_response(
     request: Request,
     status: int,
     detail: str,
     errors: Sequence[ParameterError] = (),
     headers: dict[str, str] | None = None,
-) -> Response:
+) -> ProblemResponse:
     """Build the answer for an error.
 
     The path is the scope's: `request.url` takes the query apart, which may be no UTF-8.
@@ -87,7 +93,9 @@ def problem_response(
         "instance": request.scope["path"],
         "errors": list(errors),
     }
-    return Response(orjson.dumps(body), status, headers, MEDIA_TYPE)
+    response = ProblemResponse(orjson.dumps(body), status, headers, MEDIA_TYPE)
+    response.detail = detail
+    return response
 
 
 class BadParameters(Exception):
@@ -115,7 +123,7 @@ def unknown_parameter(name: str, value: object, known: Sequence[str]) -> Paramet
     return {"parameter": name, "value": value, "message": f"unknown parameter; {hint}"}
 
 
-def _refused(request: Request, status: int, errors: Sequence[ParameterError]) -> Response:
+def _refused(request: Request, status: int, errors: Sequence[ParameterError]) -> ProblemResponse:
     shown: list[ParameterError] = [
         {
             "parameter": _clipped(e["parameter"]),
@@ -139,11 +147,11 @@ def _clipped(value: Any) -> Any:
     return value
 
 
-def _on_bad_parameters(request: Request, error: BadParameters) -> Response:
+def _on_bad_parameters(request: Request, error: BadParameters) -> ProblemResponse:
     return _refused(request, 422, error.errors)
 
 
-def _on_validation(request: Request, error: RequestValidationError) -> Response:
+def _on_validation(request: Request, error: RequestValidationError) -> ProblemResponse:
     return _refused(
         request,
         422,
@@ -168,20 +176,20 @@ def parameter_error(error: OpticsError) -> ParameterError:
     return {"parameter": error.parameter, "value": given(error), "message": error.allowed}
 
 
-def _on_optics(request: Request, error: OpticsError) -> Response:
+def _on_optics(request: Request, error: OpticsError) -> ProblemResponse:
     return _refused(request, 422, [parameter_error(error)])
 
 
-def _on_missing(request: Request, error: MissingResource) -> Response:
+def _on_missing(request: Request, error: MissingResource) -> ProblemResponse:
     return _refused(request, 404, [parameter_error(error.cause)])
 
 
-def _on_overload(request: Request, error: Overloaded) -> Response:
+def _on_overload(request: Request, error: Overloaded) -> ProblemResponse:
     detail = f"the server has no time for this now: {error.limit}; try again later"
     return problem_response(request, 503, detail, headers={"Retry-After": str(error.retry_after_s)})
 
 
-def _on_http(request: Request, error: HTTPException) -> Response:
+def _on_http(request: Request, error: HTTPException) -> ProblemResponse:
     headers = dict(error.headers) if error.headers else None
     detail = error.detail
     if error.status_code == 404 and detail == HTTPStatus.NOT_FOUND.phrase:
@@ -193,11 +201,11 @@ def _on_http(request: Request, error: HTTPException) -> Response:
     return problem_response(request, error.status_code, detail, headers=headers)
 
 
-def _on_crash(request: Request, _: Exception) -> Response:
+def _on_crash(request: Request, _: Exception) -> ProblemResponse:
     return problem_response(request, 500, "the server failed; the fault was logged")
 
 
-_ANSWERS: dict[type[Exception], Callable[[Request, Any], Response]] = {
+_ANSWERS: dict[type[Exception], Callable[[Request, Any], ProblemResponse]] = {
     BadParameters: _on_bad_parameters,
     RequestValidationError: _on_validation,
     OpticsError: _on_optics,
@@ -210,7 +218,7 @@ PROBLEMS = tuple(_ANSWERS)
 """What is raised for a request that cannot be answered."""
 
 
-def problem_of(request: Request, error: Exception) -> Response:
+def problem_of(request: Request, error: Exception) -> ProblemResponse:
     """Answer a request that one of `PROBLEMS` was raised for; anything else is a crash."""
     kind = next((kind for kind in type(error).__mro__ if kind in _ANSWERS), None)
     return _on_crash(request, error) if kind is None else _ANSWERS[kind](request, error)
@@ -219,7 +227,7 @@ def problem_of(request: Request, error: Exception) -> Response:
 def install(app: FastAPI) -> None:
     """Answer every error of `app` as a problem."""
 
-    async def answer(request: Request, error: Exception) -> Response:
+    async def answer(request: Request, error: Exception) -> ProblemResponse:
         return problem_of(request, error)
 
     for kind in (*PROBLEMS, Exception):

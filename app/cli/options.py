@@ -1,0 +1,102 @@
+"""Options of a command, made from the fields of the query that its route declares."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from inspect import Parameter
+from pathlib import Path
+from typing import Annotated, Any, Literal, get_args, get_origin
+
+import typer
+from annotated_types import Ge, Gt, Le
+from pydantic.fields import FieldInfo
+
+from app.materials.media import default_catalog
+from app.optics.registry import default_registry
+
+OUTPUT = "output_"
+"""What the names of the parameters begin with that say what becomes of the answer."""
+
+_PICTURES = ("html", "json", "svg", "png", "pdf")
+
+
+def _range(info: FieldInfo) -> str:
+    low = next(
+        (m.ge if isinstance(m, Ge) else m.gt for m in info.metadata if isinstance(m, Ge | Gt)), None
+    )
+    high = next((m.le for m in info.metadata if isinstance(m, Le)), None)
+    return f" From {low:g} to {high:g}." if low is not None and high is not None else ""
+
+
+def _default(info: FieldInfo) -> str:
+    if info.default in (None, "") or isinstance(info.default, bool):
+        return ""
+    return f" By default {info.default}."
+
+
+def _choices(info: FieldInfo) -> tuple[str, ...]:
+    kinds = [info.annotation, *get_args(info.annotation)]
+    found = next((kind for kind in kinds if get_origin(kind) is Literal), None)
+    return tuple(map(str, get_args(found)))
+
+
+def _completion(name: str, choices: tuple[str, ...]) -> Callable[[str], list[str]] | None:
+    """What the shell offers for a parameter: choices, models one after the other, materials."""
+
+    def models(incomplete: str) -> list[str]:
+        before, comma, last = incomplete.rpartition(",")
+        return [before + comma + one for one in default_registry() if one.startswith(last)]
+
+    def materials(incomplete: str) -> list[str]:
+        ids = (preset.id for preset in default_catalog().presets)
+        return [one for one in ids if one.startswith(incomplete)]
+
+    if choices:
+        return lambda incomplete: [c for c in choices if c.startswith(incomplete)]
+    offered = {"model": models, "models": models, "material": materials, "incident": materials}
+    return offered.get(name)
+
+
+def _keyword(name: str, kind: Any, declared: Any, default: Any = Parameter.empty) -> Parameter:
+    annotation = Annotated[kind, declared]
+    return Parameter(name, Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
+
+
+def argument(name: str) -> Parameter:
+    """What is typed first, without a name."""
+    completed = typer.Argument(help="Id, alias or name.", autocompletion=_completion(name, ()))
+    return _keyword(name, str, completed)
+
+
+def parameter(name: str, info: FieldInfo) -> Parameter:
+    """An option for a field of a query."""
+    alias, choices = info.alias or name, _choices(info)
+    flag = info.annotation is bool
+    option = typer.Option(
+        f"--{alias}",
+        help=f"{info.description}{_range(info)}{_default(info)}",
+        show_default=False,
+        metavar=None if flag else "|".join(choices) or ("NUMBER" if _range(info) else "TEXT"),
+        autocompletion=None if flag else _completion(alias, choices),
+        rich_help_panel="Parameters of the models" if "." in alias else "Query",
+    )
+    return _keyword(name, bool, option, False) if flag else _keyword(name, str | None, option, None)
+
+
+def output_parameters(*, figure: bool) -> list[Parameter]:
+    """Options that say what becomes of the answer, one that can be drawn or not."""
+
+    def option(name: str, kind: Any, default: Any, text: str, **more: Any) -> Parameter:
+        declared = typer.Option(f"--{name}", help=text, rich_help_panel="Output", **more)
+        return _keyword(OUTPUT + name, kind, declared, default)
+
+    printed = "As what to print it; JSON and CSV are those of the API."
+    offered = [option("format", Literal["table", "json", "csv"], "table", printed)]
+    if figure:
+        saved = f"Write the figure to a file that ends in {', '.join(_PICTURES)}."
+        offered += [
+            option("plot", bool, False, "Draw it in the terminal."),
+            option("open", bool, False, "Show the figure in the browser."),
+            option("save", Path | None, None, saved, dir_okay=False),
+        ]
+    return offered
