@@ -1,0 +1,108 @@
+"""Reflected and refracted directions in space."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from app.optics.errors import NotAllowed
+from app.optics.parameters import N_I, N_T, Array
+
+_UNIT_TOLERANCE = 1e-6
+
+
+def reflect(incident: ArrayLike, normal: ArrayLike) -> Array:
+    """Mirror a direction at a surface, i - 2 (i . n) n.
+
+    Parameters
+    ----------
+    incident
+        Unit vectors pointing toward the surface, shape (..., 2) or (..., 3).
+    normal
+        Unit normals on the incident side, broadcasting against `incident`.
+
+    Returns
+    -------
+    Array
+        Unit vectors pointing away from the surface.
+
+    Raises
+    ------
+    NotAllowed
+        If a vector is no unit vector of two or three components, or comes from behind.
+    """
+    i, n, cos_i = _unit_pair(incident, normal)
+    return np.asarray(i + 2.0 * cos_i * n)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Refraction:
+    """Refracted directions, and where there is one at all.
+
+    Attributes
+    ----------
+    direction
+        Unit vectors; zero where `exists` is false.
+    exists
+        False beyond the critical angle.
+    """
+
+    direction: Array
+    exists: NDArray[np.bool_]
+
+
+def refract(incident: ArrayLike, normal: ArrayLike, n_i: ArrayLike, n_t: ArrayLike) -> Refraction:
+    """Refract a direction by Snell's law in vector form.
+
+    Parameters
+    ----------
+    incident, normal
+        As for `reflect`.
+    n_i, n_t
+        Real indices on the incident and the far side, broadcasting against the vectors' leading
+        axes.
+
+    Returns
+    -------
+    Refraction
+        The directions beyond the surface; never NaN.
+
+    Raises
+    ------
+    NotAllowed
+        If a vector is no unit vector of two or three components, or comes from behind.
+    OutOfRange
+        If an index is out of bounds.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> ray = refract([np.sin(1.0), -np.cos(1.0)], [0.0, 1.0], 1.0, 1.5)
+    >>> bool(np.isclose(ray.direction[0], np.sin(1.0) / 1.5))
+    True
+    """
+    i, n, cos_i = _unit_pair(incident, normal)
+    ratio = (N_I.check(n_i) / N_T.check(n_t))[..., np.newaxis]
+    tangential = ratio * (i + cos_i * n)
+    cos2_t = 1.0 - np.sum(tangential * tangential, axis=-1, keepdims=True)
+    exists = cos2_t >= 0.0
+    direction = tangential - np.sqrt(np.maximum(cos2_t, 0.0)) * n
+    return Refraction(np.where(exists, direction, 0.0), exists[..., 0])
+
+
+def _unit_pair(incident: ArrayLike, normal: ArrayLike) -> tuple[Array, Array, Array]:
+    """Check the vectors and return them with cos(theta_i) = -i . n on a trailing axis."""
+    i, n = np.asarray(incident, dtype=np.float64), np.asarray(normal, dtype=np.float64)
+    for name, vector in (("incident", i), ("normal", n)):
+        if vector.ndim == 0 or vector.shape[-1] not in (2, 3) or vector.shape[-1] != n.shape[-1]:
+            raise NotAllowed(name, vector.tolist(), "vectors of two or of three components")
+        length = np.sqrt(np.sum(vector * vector, axis=-1))
+        if not np.all(np.abs(length - 1.0) <= _UNIT_TOLERANCE):
+            raise NotAllowed(name, vector.tolist(), "unit vectors")
+    cos_i = -np.sum(i * n, axis=-1, keepdims=True)
+    # A ray along the surface may seem to come from behind it by as much as its vectors are rounded.
+    if not np.all(cos_i >= -_UNIT_TOLERANCE):
+        raise NotAllowed("incident", i.tolist(), "a direction toward the surface, i . n <= 0")
+    return i, n, np.maximum(cos_i, 0.0)
