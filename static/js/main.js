@@ -240,7 +240,9 @@ async function start() {
   let resting;
   function restLater() {
     clearTimeout(resting);
-    if (!rested) resting = setTimeout(() => rest().catch(() => {}), KEEP_AFTER);
+    if (document.readyState !== "complete")
+      window.addEventListener("load", restLater); // Plotly is still under way
+    else if (!rested) resting = setTimeout(() => rest().catch(() => {}), KEEP_AFTER);
   }
   state.subscribe(restLater);
 
