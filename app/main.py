@@ -126,7 +126,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         curves.router(registry),
         snell.router(),
         health.router(drain),
-        models.router(registry),
+        models.router(registry, settings.static_dir),
         errors.router(registry),
         recommend.router(registry),
         convert.router(),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from app.answers.answer import answer, filled
+from app.answers.looks import ModelLook
 from app.optics.interface import Kind
 from app.optics.parameters import Parameter
 from app.optics.registry import Cost, Measured, Model, ModelKind
@@ -30,8 +31,9 @@ class RegisteredModel:
     """Errors at representative interfaces."""
     shaders: str | None
     """Where it is as code for shaders; null where it has no closed form."""
+    look: ModelLook
 
     @classmethod
-    def of(cls, model: Model, shaders: str | None) -> RegisteredModel:
+    def of(cls, model: Model, shaders: str | None, look: ModelLook) -> RegisteredModel:
         """Describe a model that is found as code at `shaders`."""
-        return filled(cls, model, shaders=shaders)
+        return filled(cls, model, shaders=shaders, look=look)

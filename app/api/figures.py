@@ -19,11 +19,12 @@ from typing_extensions import TypedDict
 from app import __version__
 from app.answers.answer import answer
 from app.answers.errors import Errors
+from app.answers.looks import Theme, theme_colors
 from app.answers.rounding import rounded
 from app.api import PREFIX
 from app.api.params import AngleQuery, preset_name
 from app.api.table import RouteTable
-from app.figures.look import Ground, Look, Theme, theme_colors
+from app.figures.look import Ground, Look
 from app.figures.render import MEDIA_TYPES, NoPictures, page, picture, policy
 from app.http.query import Count, LongQuery, Number, QueryModel
 from app.http.route import QueryRoute
@@ -183,7 +184,7 @@ def router(table: RouteTable, registry: Registry, static_dir: Path) -> APIRouter
 
     @cache
     def colors(theme: Theme) -> dict[str, str]:
-        return theme_colors((static_dir / "css" / "base.css").read_text("utf-8"), theme)
+        return theme_colors(static_dir, theme)
 
     def drawn(kind: Kind, query: FigureQuery) -> tuple[go.Figure, list[str], Look]:
         """The figure, its caption and its look."""
@@ -195,7 +196,7 @@ def router(table: RouteTable, registry: Registry, static_dir: Path) -> APIRouter
         # The query is validated already.
         answer = rounded(route.answer(parts, query), getattr(query, "digits", 17))
         size = (query.width, query.height)
-        look = Look(colors(query.theme), list(registry), query.background, query.font_px, *size)
+        look = Look(colors(query.theme), query.background, query.font_px, *size)
         make: Callable[..., go.Figure] = getattr(draw, kind.name)
         figure, request = make(answer, draw.Context(query, look, named)), _request(kind, query)
         figure.update_layout(meta={"request": request, "version": __version__})

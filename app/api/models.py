@@ -1,12 +1,14 @@
 """`/models`, `/models/{id}` and `/parameters`: what is registered and declared."""
 
 from dataclasses import fields
-from typing import Annotated
+from pathlib import Path
+from typing import Annotated, get_args
 
 from fastapi import APIRouter, Query
 from pydantic import Field
 
 from app.answers.answer import ChosenFields, answer, chosen_fields
+from app.answers.looks import ModelLook, Theme, theme_colors
 from app.answers.models import RegisteredModel
 from app.answers.shaders import shader_url
 from app.http.problems import MissingResource
@@ -42,17 +44,21 @@ class Parameters:
     parameters: tuple[Parameter, ...]
 
 
-def router(registry: Registry) -> APIRouter:
-    """Routes over the models of `registry`."""
+def router(registry: Registry, static_dir: Path) -> APIRouter:
+    """Routes over the models of `registry`, in the colors of the page's style sheet."""
     routes = APIRouter(route_class=LastingRoute, tags=["models"])
-    described = [RegisteredModel.of(model, shader_url(model)) for model in registry.values()]
+    themes = {theme: theme_colors(static_dir, theme) for theme in get_args(Theme)}
+    described = {
+        model.id: RegisteredModel.of(model, shader_url(model), ModelLook.of(model.id, themes))
+        for model in registry.values()
+    }
 
     @routes.get("/models", summary="All models")
     def models(query: Annotated[ModelsQuery, Query()]) -> Models:
         names = chosen_fields(query.fields, [field.name for field in fields(RegisteredModel)])
         if names is None:
-            return Models(models=[*described])
-        return Models(models=[{n: getattr(row, n) for n in names} for row in described])
+            return Models(models=[*described.values()])
+        return Models(models=[{n: getattr(row, n) for n in names} for row in described.values()])
 
     @routes.get("/models/{model_id}", summary="One model")
     def model(model_id: str) -> RegisteredModel:
@@ -60,7 +66,7 @@ def router(registry: Registry) -> APIRouter:
             found = registry.find(model_id, "model_id")
         except UnknownModel as error:
             raise MissingResource(error) from None
-        return RegisteredModel.of(found, shader_url(found))
+        return described[found.id]
 
     @routes.get("/parameters", summary="Parameters and bounds")
     def parameters() -> Parameters:

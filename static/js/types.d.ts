@@ -16,8 +16,15 @@ interface Parameter {
   triple?: boolean;
 }
 
+/** Name of a css custom property, without its dashes, and a dash. */
+interface Look {
+  color: string;
+  dash: string;
+}
+
 interface Model {
   id: string;
+  look?: Look;
   title: string;
   kind: string;
   applies_to: string[];

@@ -18,9 +18,10 @@ import plotly.io
 import pytest
 from fastapi import FastAPI
 
+from app.answers import looks
 from app.api import figures
 from app.api.figures import KINDS
-from app.figures import look, render
+from app.figures import render
 from app.main import create_app
 from app.optics.registry import default_registry
 from tests.api.raw import Answer, send
@@ -150,29 +151,34 @@ def test_a_caption_names_the_sources(app: FastAPI) -> None:
 
 
 def test_the_look_is_asked_for(app: FastAPI) -> None:
-    css = (STATIC / "css" / "base.css").read_text("utf-8")
-    dark = look.theme_colors(css, "dark")
+    dark = looks.theme_colors(STATIC, "dark")
     layout = figure(app, "compare", theme="dark", width="500", height="400").json()["layout"]
-    assert layout["paper_bgcolor"] == dark["paper"] != look.theme_colors(css, "light")["paper"]
+    assert layout["paper_bgcolor"] == dark["paper"] != looks.theme_colors(STATIC, "light")["paper"]
     assert (layout["width"], layout["height"]) == (500, 400)
     layout = figure(app, "compare", background="transparent", font_px="9").json()["layout"]
     assert layout["paper_bgcolor"] == "rgba(0,0,0,0)"
     assert layout["font"]["size"] == 9
 
 
-def test_models_look_as_on_the_page() -> None:
-    """Against the page's own module, run by Node."""
+def test_each_model_has_a_look_of_its_own() -> None:
     ids = list(default_registry())
-    script = f"""
-    import {{ modelStyle }} from {json.dumps((STATIC / "js" / "models" / "look.js").as_uri())};
-    const models = {json.dumps([{"id": name} for name in ids])};
-    console.log(JSON.stringify(models.map((m) => modelStyle(models, m.id))));
-    """
-    command = ["node", "--input-type=module", "--eval", script]
-    told = json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
-    assert [look.model_look(ids, name) for name in ids] == [
-        (style["color"].removeprefix("--"), style["dash"]) for style in told
-    ]
+    assert looks.model_look("exact") == ("R", "solid")
+    assert looks.model_look("schlick") == ("model-1", "dash")
+    assert looks.model_look("pharr_humphreys") == ("model-4", "dashdot")
+    told = [looks.model_look(name) for name in ids]
+    assert len(set(told)) == len(ids)
+    # A new model has the look that its id gives it, whatever else there is, and nobody else's.
+    for new in ("aa", "bb", "zz"):
+        assert looks.model_look(new) == looks.model_look(new) not in told
+
+
+def test_figures_look_as_the_models_are_told_to(app: FastAPI) -> None:
+    told = {model["id"]: model["look"] for model in data(app, "/models")["models"]}
+    for theme in ("light", "dark"):
+        line = drawn(app, "compare", theme=theme)["Schlick"].line
+        assert (line.color, line.dash) == (told["schlick"][theme], told["schlick"]["dash"])
+    for name, look in told.items():
+        assert (look["color"], look["dash"]) == looks.model_look(name)
 
 
 @pytest.mark.parametrize("name", QUERIES)

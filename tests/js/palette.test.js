@@ -1,22 +1,30 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { fitStyle } from "../../static/js/albedo/style.js";
 import { modelStyle } from "../../static/js/models/look.js";
 
-test("each model has a look of its own, the same wherever it stands", () => {
-  const models = ["a", "exact", ..."bcdefghijklmnopqrstuvwx"].map((id) => ({ id }));
-  const looks = models.map(({ id }) => JSON.stringify(modelStyle(models, id)));
-  assert.equal(new Set(looks).size, models.length);
-  assert.deepEqual(modelStyle(models, "exact"), { color: "--R", dash: "solid" });
-  assert.equal(modelStyle(models, "a").color, "--model-1");
+const MODELS = [
+  { id: "exact", look: { color: "R", dash: "solid" } },
+  { id: "schlick", look: { color: "model-1", dash: "dash" } },
+  { id: "pharr_humphreys", look: { color: "model-4", dash: "dashdot" } },
+];
+
+test("each model has the look that the server tells, the same wherever it stands", () => {
+  for (const models of [MODELS, [...MODELS].reverse(), [{ id: "new" }, ...MODELS]]) {
+    assert.deepEqual(modelStyle(models, "exact"), { color: "--R", dash: "solid" });
+    assert.deepEqual(modelStyle(models, "schlick"), { color: "--model-1", dash: "dash" });
+    assert.deepEqual(modelStyle(models, "pharr_humphreys"), {
+      color: "--model-4",
+      dash: "dashdot",
+    });
+  }
 });
 
-test("the models of d'Eon's figure keep their looks whatever else is registered", () => {
-  const models = ["exact", "aa", "schlick", "bb", "pharr_humphreys", "complex_dielectric"].map(
-    (id) => ({ id }),
-  );
-  const looks = models.map(({ id }) => JSON.stringify(modelStyle(models, id)));
-  assert.equal(new Set(looks).size, models.length);
-  assert.equal(modelStyle(models, "schlick").dash, "dash");
-  assert.equal(modelStyle(models, "pharr_humphreys").dash, "dashdot");
-  assert.deepEqual(modelStyle([{ id: "schlick" }], "schlick"), modelStyle(models, "schlick"));
+test("a model that the server tells no look of is drawn all the same", () => {
+  assert.deepEqual(modelStyle(MODELS, "new"), { color: "--muted", dash: "dot" });
+});
+
+test("fits that are the average of a model's curve look like that model", () => {
+  assert.deepEqual(fitStyle("schlick"), modelStyle(MODELS, "schlick"));
+  assert.deepEqual(fitStyle("dunkle_1963"), modelStyle(MODELS, "pharr_humphreys"));
 });

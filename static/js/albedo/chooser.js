@@ -39,7 +39,7 @@ export function createChooser({ chosen, onChange }) {
           id,
           title,
           note: `${note}\n${reference}`,
-          style: fitStyle(fits, id),
+          style: fitStyle(id),
         }));
       return { home, fold: createFold({ legend, entries, chosen, onChange }) };
     });

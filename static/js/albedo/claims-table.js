@@ -45,8 +45,8 @@ export function createClaims({ state, actions, say }) {
     "aria-label": "Table of claims",
   });
 
-  /** @param {Row} row @param {readonly Fit[]} fits @param {State} now */
-  function line(row, fits, now) {
+  /** @param {Row} row @param {State} now */
+  function line(row, now) {
     const { id, title } = row.fit;
     const { holds, domain } = row.claim;
     const home = homeOf(domain);
@@ -56,7 +56,7 @@ export function createClaims({ state, actions, say }) {
         class="pick-fit"
         aria-pressed=${chosenFits(now).includes(id) && now.surface === home}
         @click=${() => pick(id, home)}
-      >${sampled(fitStyle(fits, id))}<span>${title}</span></button></th>
+      >${sampled(fitStyle(id))}<span>${title}</span></button></th>
       ${COLUMNS.slice(1).map((c) => html`<td class=${c.name}>${c.print(row)}</td>`)}
     </tr>`;
   }
@@ -74,7 +74,7 @@ export function createClaims({ state, actions, say }) {
         html`<table class="claims">
           <caption class="hidden">Largest errors of the fits, claimed and measured</caption>
           <thead><tr>${headings}</tr></thead>
-          <tbody>${rows.map((row) => line(row, fits, now))}</tbody>
+          <tbody>${rows.map((row) => line(row, now))}</tbody>
         </table>`,
         element,
       );

@@ -56,12 +56,12 @@ export function createReading(say) {
     )}
   </tr>`;
 
-  /** @param {Approximation} fit @param {readonly Fit[]} fits */
-  const fitLine = ({ id, title, value, error, in_domain, reason }, fits) => html`<tr
+  /** @param {Approximation} fit */
+  const fitLine = ({ id, title, value, error, in_domain, reason }) => html`<tr
     data-fit=${id}
     ?data-outside=${!in_domain}
   >
-    <th scope="row"><span class="overlay-name">${sampled(fitStyle(fits, id))}${title}</span>${
+    <th scope="row"><span class="overlay-name">${sampled(fitStyle(id))}${title}</span>${
       reason && html`<span class="beyond">outside its domain: ${written(reason)}</span>`
     }</th>
     <td>${six(value)}</td>
@@ -70,8 +70,8 @@ export function createReading(say) {
 
   return {
     element,
-    /** @param {State} state @param {Here | undefined} here @param {readonly Fit[]} fits */
-    update(state, here, fits) {
+    /** @param {State} state @param {Here | undefined} here */
+    update(state, here) {
       if (!here) return;
       const { interface: media, reverse } = here;
       const forwards = isMetal(state.surface) || facing(state);
@@ -106,7 +106,7 @@ export function createReading(say) {
               <th scope="col">albedo</th>
               <th scope="col">error</th>
             </tr></thead>
-            <tbody>${rows.map((row) => fitLine(row, fits))}</tbody>
+            <tbody>${rows.map(fitLine)}</tbody>
           </table>`,
         element,
       );

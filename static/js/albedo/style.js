@@ -1,7 +1,5 @@
 /** One color and one dash for each fit: what has the same authors has the same color. */
 
-import { modelStyle } from "../models/look.js";
-
 /** @type {Record<string, [number, string]>} */
 const OWN = {
   deon_2019_log: [3, "dashdot"],
@@ -18,17 +16,18 @@ const OWN = {
   kulla_conty_2017_tint: [6, "longdash"],
   schlick_nk: [1, "dot"],
   large_k: [8, "longdashdot"],
+  // The average of a model's curve looks like that model.
+  schlick: [1, "dash"],
+  f82_tint: [2, "dot"],
+  dunkle_1963: [4, "dashdot"],
 };
-/** Fits that are the average of a model's curve look like that model. @type {Record<string, string>} */
-const OF_MODEL = { schlick: "schlick", f82_tint: "f82_tint", dunkle_1963: "pharr_humphreys" };
 /** Where a formula is used beyond what it was made for. */
 export const OUTSIDE = { color: "--muted", dash: "2px,4px", width: 1.3 };
 /** At the largest error that a source promises. */
 export const CLAIMED = { dash: "1px,3px", width: 1.4 };
 
-/** @param {readonly {id: string}[]} fits @param {string} id @returns {{color: string, dash: string}} */
-export function fitStyle(fits, id) {
-  const own = OWN[id];
-  if (own) return { color: `--model-${own[0]}`, dash: own[1] };
-  return modelStyle([...fits], OF_MODEL[id] ?? id);
+/** @param {string} id of a fit @returns {{color: string, dash: string}} */
+export function fitStyle(id) {
+  const [color, dash] = OWN[id] ?? [8, "dash"];
+  return { color: `--model-${color}`, dash };
 }

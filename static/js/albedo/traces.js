@@ -63,7 +63,7 @@ function fitTraces(curve, x, y, fits) {
   const title = fits.find((f) => f.id === curve.id)?.title ?? curve.id;
   const { inside, beyond } = divided(x, y, curve.in_domain);
   const own = { id: curve.id, label: shortTitle(title), x: [...x], width: 1.9 };
-  const style = fitStyle(fits, curve.id);
+  const style = fitStyle(curve.id);
   const within = { ...own, ...style, y: inside };
   if (!beyond) return [within];
   return [
@@ -153,7 +153,7 @@ export function claimTraces(sweep, fits, relative) {
         label: `${fit?.title}, claimed`,
         bare: true,
         column: `${id}.claimed`,
-        ...fitStyle(fits, id),
+        ...fitStyle(id),
         ...CLAIMED,
         unit: relative ? " %" : undefined,
         x,

@@ -146,7 +146,7 @@ export function startWorker() {
 /** Of each model and each medium what every picture needs; the rest is fetched where it is read. */
 export const CATALOG_PATHS = [
   "/parameters",
-  "/models?fields=id,title,kind,applies_to,parameters,takes_color,validity",
+  "/models?fields=id,title,kind,applies_to,parameters,takes_color,validity,look",
   "/materials?fields=id,name,category,n,k,wavelength_nm,kind,rival_of,n_range_nm",
 ];
 

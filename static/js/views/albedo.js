@@ -87,7 +87,7 @@ export function createView(context) {
     const problem = (name) => problems.of(name, given);
     controls.update(now, fits);
     plots.update(now, given, fits, moving, problem("sweep"));
-    reading.update(now, given.here, fits);
+    reading.update(now, given.here);
     coat.update(now, given.coat, problem("coat"));
     if (moving) return;
     definitions?.update([...chosenFits(now)]);
