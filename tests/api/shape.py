@@ -1,13 +1,18 @@
-"""Answers are of the shape that OpenAPI tells, and have nothing beside."""
+"""Answers as they are read: of the shape that OpenAPI tells, a table, or one error."""
 
-import json
+import csv
+import io
 import re
+from collections.abc import Callable, Mapping
 from functools import cache
-from types import SimpleNamespace
 from typing import Any
 
+import httpx
 import jsonschema_rs
 from fastapi import FastAPI
+
+Ask = Callable[..., httpx.Response]
+"""The fixture `ask`, which checks the shape of every JSON answer."""
 
 
 def check_shape(app: FastAPI, path: str, answer: Any) -> None:
@@ -29,9 +34,36 @@ def check_shape(app: FastAPI, path: str, answer: Any) -> None:
     raise LookupError(path)
 
 
-def fields_of(body: bytes) -> Any:
-    """Read JSON with its keys as attributes."""
-    return json.loads(body, object_hook=lambda entries: SimpleNamespace(**entries))
+def json_of(answer: httpx.Response) -> Any:
+    """The JSON of a good answer."""
+    assert answer.status_code == 200, answer.text
+    assert answer.headers["content-type"] == "application/json"
+    return answer.json()
+
+
+def rows_of(answer: httpx.Response) -> list[dict[str, str]]:
+    """The rows of a good answer in CSV."""
+    assert answer.status_code == 200, answer.text
+    assert answer.headers["content-type"] == "text/csv; charset=utf-8"
+    return list(csv.DictReader(io.StringIO(answer.text)))
+
+
+def error_of(answer: httpx.Response, status: int = 422) -> dict[str, Any]:
+    """The one error of a refusal."""
+    assert answer.status_code == status, answer.text
+    assert answer.headers["content-type"] == "application/problem+json"
+    (error,) = answer.json()["errors"]
+    return dict(error)
+
+
+def targets(queries: Mapping[str, str]) -> list[str]:
+    """Paths with each of their queries, between which are spaces."""
+    return [f"{path}?{query}" for path, told in queries.items() for query in told.split()]
+
+
+def last_name(target: str) -> str:
+    """The parameter that a query names last: the one at fault, in tables of refusals."""
+    return re.split("[?&]", target)[-1].partition("=")[0]
 
 
 @cache

@@ -1,20 +1,16 @@
 """The route that converts: forms, triples, colors and materials, and refusals."""
 
-import csv
-import io
-from collections.abc import Callable
 from typing import Any
 
 import httpx
 import pytest
 
 from app.optics.color import decode_srgb
-
-Get = Callable[..., httpx.Response]
+from tests.api.shape import Ask, error_of, json_of, last_name, rows_of, targets
 
 
 @pytest.fixture
-def get(ask: Callable[..., httpx.Response]) -> Get:
+def get(ask: Ask) -> Ask:
     def get(**parameters: Any) -> httpx.Response:
         return ask("/convert", **{name.rstrip("_"): value for name, value in parameters.items()})
 
@@ -22,8 +18,7 @@ def get(ask: Callable[..., httpx.Response]) -> Get:
 
 
 def results(answer: httpx.Response) -> dict[str, dict[str, Any]]:
-    assert answer.status_code == 200, answer.text
-    return {result["form"]: result for result in answer.json()["results"]}
+    return {result["form"]: result for result in json_of(answer)["results"]}
 
 
 @pytest.mark.parametrize(
@@ -41,7 +36,7 @@ def results(answer: httpx.Response) -> dict[str, dict[str, Any]]:
     ],
     ids=str,
 )
-def test_one_glass_in_every_form(get: Get, given: dict[str, Any]) -> None:
+def test_one_glass_in_every_form(get: Ask, given: dict[str, Any]) -> None:
     found = results(get(**given))
     assert found["ior"]["values"]["n_t"] == pytest.approx(1.5, rel=1e-12)
     assert found["ior"]["status"] == "exact"
@@ -51,14 +46,14 @@ def test_one_glass_in_every_form(get: Get, given: dict[str, Any]) -> None:
     assert found["f0"]["channels"] is None
 
 
-def test_another_medium_in_front(get: Get) -> None:
+def test_another_medium_in_front(get: Ask) -> None:
     answer = get(from_="f0", F0=0.04, n_i=1.333, seen_from=1.0)
     assert results(answer)["ior"]["values"]["n_t"] == pytest.approx(1.333 * 1.5, rel=1e-12)
     assert answer.json()["n_i"] == 1.333
     assert answer.json()["seen_from"] == 1.0
 
 
-def test_a_color_of_a_picture(get: Get) -> None:
+def test_a_color_of_a_picture(get: Ask) -> None:
     answer = get(from_="f0_srgb", hex="#ffd700")
     found = results(answer)
     expected = decode_srgb([1.0, 215 / 255, 0.0])
@@ -66,17 +61,14 @@ def test_a_color_of_a_picture(get: Get) -> None:
     assert found["f0_hex"]["values"]["hex"] == "#ffd700"
     assert found["f0_hex"]["status"] == "exact"
     assert found["ior"]["status"] == "infeasible"  # red is a perfect mirror
-    assert [channel["status"] for channel in found["ior"]["channels"]] == [
-        "infeasible",
-        "exact",
-        "exact",
-    ]
+    channels = [channel["status"] for channel in found["ior"]["channels"]]
+    assert channels == ["infeasible", "exact", "exact"]
     assert found["ior"]["values"]["n_t"][0] is None
     assert found["ior"]["why"].startswith("red: F0 = 1")
     assert answer.json()["given"]["hex"] == "#ffd700"
 
 
-def test_three_channels_of_gulbrandsen(get: Get) -> None:
+def test_three_channels_of_gulbrandsen(get: Ask) -> None:
     found = results(get(from_="rg", r="0.98,0.77,0.34", g=0.5))
     assert len(found["nk"]["values"]["n_t"]) == 3
     assert found["rg"]["values"]["g"] == pytest.approx([0.5, 0.5, 0.5], abs=1e-9)
@@ -84,7 +76,7 @@ def test_three_channels_of_gulbrandsen(get: Get) -> None:
     assert found["nk"]["values"]["k_t"][1] == alone["nk"]["values"]["k_t"]
 
 
-def test_a_material(get: Get) -> None:
+def test_a_material(get: Ask) -> None:
     answer = get(from_="nk", material="Au")
     found = results(answer)
     assert answer.json()["material"]["id"] == "Au"
@@ -92,44 +84,34 @@ def test_a_material(get: Get) -> None:
     assert found["dg"]["status"] == "exact"
 
 
-def test_as_csv(get: Get) -> None:
-    answer = get(from_="f0", F0=1.0, format="csv", digits=5)
-    rows = list(csv.DictReader(io.StringIO(answer.text)))
+def test_as_csv(get: Ask) -> None:
+    rows = rows_of(get(from_="f0", F0=1.0, format="csv", digits=5))
     named = {(row["form"], row["name"]): row for row in rows}
     assert named["ior", "n_t"]["value"] == ""
     assert named["ior", "n_t"]["status"] == "infeasible"
     assert named["f0", "F0"]["value"] == "1.0"
-    triple = list(csv.DictReader(io.StringIO(get(from_="f0", F0="1,0.5,0", format="csv").text)))
+    triple = rows_of(get(from_="f0", F0="1,0.5,0", format="csv"))
     (row,) = [row for row in triple if row["form"] == "f0"]
     assert [row["red"], row["green"], row["blue"]] == ["1.0", "0.5", "0.0"]
     (code,) = [row for row in triple if row["name"] == "hex"]
     assert code["value"] == "#ffbc00"
 
 
-@pytest.mark.parametrize(
-    ("parameters", "name"),
-    [
-        ({"from_": "fzero"}, "from"),
-        ({"from_": "f0"}, "F0"),
-        ({"from_": "f0", "F0": 1.5}, "F0"),
-        ({"from_": "f0", "F0": "nan"}, "F0"),
-        ({"from_": "f0", "F0": "0.1,0.2"}, "F0"),
-        ({"from_": "f0", "F0": 0.5, "n_t": 1.5}, "n_t"),
-        ({"from_": "ior", "n_t": 1.5, "k_t": 2.0}, "k_t"),
-        ({"from_": "ior", "n_t": 1.5, "F0": 0.04}, "F0"),
-        ({"from_": "ior", "material": "Au"}, "material"),
-        ({"from_": "f0", "F0": 0.5, "material": "Au"}, "material"),
-        ({"from_": "f0_srgb", "hex": "#12"}, "hex"),
-        ({"from_": "f0_srgb", "hex": "#123456", "F0_srgb": 0.5}, "hex"),
-        ({"from_": "rg", "r": 0.5}, "g"),
-        ({"from_": "specular", "specular": 1.01}, "specular"),
-        ({"seen_from": 0.0}, "seen_from"),
-        ({"to": "f0"}, "to"),
-    ],
-    ids=str,
-)
-def test_refused(get: Get, parameters: dict[str, Any], name: str) -> None:
-    answer = get(**parameters)
-    assert answer.status_code == 422
-    assert answer.headers["content-type"] == "application/problem+json"
-    assert [error["parameter"] for error in answer.json()["errors"]] == [name]
+REFUSED = {
+    "/convert": (
+        "from=fzero from=f0&F0=1.5 from=f0&F0=nan from=f0&F0=0.1,0.2 from=f0&F0=0.5&n_t=1.5 "
+        "from=ior&n_t=1.5&k_t=2.0 from=ior&n_t=1.5&F0=0.04 from=ior&material=Au "
+        "from=f0&F0=0.5&material=Au from=f0_srgb&hex=%2312 "
+        "from=f0_srgb&F0_srgb=0.5&hex=%23123456 from=specular&specular=1.01 seen_from=0 to=f0"
+    )
+}
+
+
+@pytest.mark.parametrize("target", targets(REFUSED))
+def test_the_parameter_named_last_is_refused(ask: Ask, target: str) -> None:
+    assert error_of(ask(target))["parameter"] == last_name(target)
+
+
+@pytest.mark.parametrize(("query", "name"), [("from=f0", "F0"), ("from=rg&r=0.5", "g")])
+def test_what_a_form_needs_is_named(ask: Ask, query: str, name: str) -> None:
+    assert error_of(ask(f"/convert?{query}"))["parameter"] == name

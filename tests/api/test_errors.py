@@ -1,20 +1,13 @@
 """The routes about errors: numbers, shapes, refusals."""
 
-from collections.abc import Callable
-from typing import Any
-
-import httpx
 import numpy as np
 import pytest
 
-from app.answers.error_grids import ErrorMap
-from app.answers.errors import Errors
 from app.optics.interface import Interface
 from app.optics.metrics import METRICS, measure
 from app.optics.registry import default_registry
-from tests.api.shapes import json_of, refused, rows_of
+from tests.api.shape import Ask, error_of, json_of, last_name, rows_of, targets
 
-Ask = Callable[..., httpx.Response]
 REGISTRY = default_registry()
 TRAPS = [model.id for model in REGISTRY.values() if "(trap)" in model.title]
 
@@ -25,7 +18,7 @@ TRAPS = [model.id for model in REGISTRY.values() if "(trap)" in model.title]
 def test_errors_of_every_model(ask: Ask) -> None:
     interface = Interface(1.0, 1.5, 5.0)
     answer = ask("/errors", models=",".join(REGISTRY), n_t=1.5, k_t=5.0, samples=7)
-    body = json_of(Errors, answer)
+    body = json_of(answer)
     assert answer.headers["etag"]
     assert body["theta_i_deg"] == [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0]
     assert {row["model"] for row in body["errors"]} == set(REGISTRY)
@@ -43,7 +36,7 @@ def test_errors_of_every_model(ask: Ask) -> None:
 
 def test_the_error_curve_is_the_difference_of_the_curves(ask: Ask) -> None:
     shared = {"n_t": 2.9, "k_t": 3.0, "samples": 31, "landmarks": "true"}
-    body = json_of(Errors, ask("/errors", **shared, models="schlick", relative="true"))
+    body = json_of(ask("/errors", **shared, models="schlick", relative="true"))
     answer = ask("/curves", **shared, models="exact,schlick").json()
     values = {(c["model"], c["quantity"]): np.array(c["values"]) for c in answer["curves"]}
     exact, schlick = values["exact", "R"], values["schlick", "R"]
@@ -66,7 +59,7 @@ def test_solved_and_given_parameters_are_told(ask: Ask) -> None:
 def test_a_triple_has_three_rows(ask: Ask) -> None:
     asked = {"models": "hoffman_f82", "n_t": 0.27, "k_t": 2.9, "samples": 5}
     answer = ask("/errors", **asked, **{"hoffman_f82.F0": "1.0,0.8,0.4"})
-    rows = {row["quantity"]: row for row in json_of(Errors, answer)["errors"]}
+    rows = {row["quantity"]: row for row in json_of(answer)["errors"]}
     assert set(rows) == {"R_red", "R_green", "R_blue"}
     for quantity, F0 in (("R_red", 1.0), ("R_green", 0.8), ("R_blue", 0.4)):
         (alone,) = ask("/errors", **asked, **{"hoffman_f82.F0": F0}).json()["errors"]
@@ -146,7 +139,7 @@ def test_a_sweep_with_a_models_own_parameter(ask: Ask) -> None:
 @pytest.mark.parametrize("metric", ["error", "absolute", "relative"])
 def test_a_map_over_the_angle(ask: Ask, metric: str) -> None:
     asked = {"x_steps": 4, "y": "n_t", "y_minimum": 1.2, "y_maximum": 2.2, "y_steps": 3}
-    body = json_of(ErrorMap, ask("/errors/map", **asked, metric=metric))
+    body = json_of(ask("/errors/map", **asked, metric=metric))
     assert body["x"] == {"name": "theta_i_deg", "values": [0.0, 30.0, 60.0, 90.0]}
     assert len(body["values"]) == 3
     for n_t, cells in zip(body["y"]["values"], body["values"], strict=True):
@@ -162,7 +155,7 @@ def test_a_map_over_the_angle(ask: Ask, metric: str) -> None:
 @pytest.mark.parametrize("metric", [*METRICS, "albedo_error"])
 def test_a_map_over_index_and_extinction(ask: Ask, metric: str) -> None:
     asked = {"x": "n_t", "y": "k_t", "x_steps": 5, "y_steps": 4, "x_minimum": 1.1, "y_minimum": 0.5}
-    body = json_of(ErrorMap, ask("/errors/map", **asked, metric=metric, model="pharr_humphreys"))
+    body = json_of(ask("/errors/map", **asked, metric=metric, model="pharr_humphreys"))
     n, k = np.meshgrid(body["x"]["values"], body["y"]["values"])
     name = "cosine_weighted_mean" if metric == "albedo_error" else metric
     expected = measure(REGISTRY["pharr_humphreys"], Interface(1.0, n, k))[name]  # type: ignore[index]
@@ -202,46 +195,37 @@ def test_traps_are_measured_and_marked(ask: Ask) -> None:
     assert not any(row["in_domain"] for row in rows)
 
 
+REFUSED = {
+    "/errors": (
+        "models=shlick models=schlick,schlick n_t=nan model=schlick "
+        "models=schlick&lazanyi2005.alpha=7.7 models=lazanyi2005&lazanyi2005.alpha=-1 "
+        "models=lut_1d&lut_1d.bits=10"
+    ),
+    "/errors/sweep": (
+        "over=n_i over=n_t&n_t=1.5 over=eta&n_t=1.5 over=k_t&k_t=1 material=Au "
+        "maximum=1&minimum=2 minimum=0 maximum=101 over=eta&n_i=50&maximum=3 steps=1 steps=20002 "
+        "model=shlick model=hoffman_f82&k_t=3&hoffman_f82.F0=1,1,1"
+    ),
+    "/errors/map": (
+        "y_steps=500&x_steps=501 metric=rms x=n_t&y=k_t&metric=error metric=worst n_t=2 "
+        "x_maximum=91 y_maximum=3&y_minimum=3 material=Au"
+    ),
+}
+
+
+@pytest.mark.parametrize("target", targets(REFUSED))
+def test_the_parameter_named_last_is_refused(ask: Ask, target: str) -> None:
+    assert error_of(ask(target))["parameter"] == last_name(target)
+
+
 @pytest.mark.parametrize(
-    ("path", "parameters", "name"),
+    ("target", "name"),
     [
-        ("/errors", {"models": "shlick"}, "models"),
-        ("/errors", {"models": "schlick,schlick"}, "models"),
-        ("/errors", {"n_t": "nan"}, "n_t"),
-        ("/errors", {"model": "schlick"}, "model"),
-        ("/errors", {"models": "schlick", "lazanyi2005.alpha": 7.7}, "lazanyi2005.alpha"),
-        ("/errors", {"models": "lazanyi2005", "lazanyi2005.alpha": -1}, "lazanyi2005.alpha"),
-        ("/errors", {"models": "lut_1d", "lut_1d.bits": 10}, "lut_1d.bits"),
-        ("/errors/sweep", {"over": "n_i"}, "over"),
-        ("/errors/sweep", {"over": "n_t", "n_t": 1.5}, "n_t"),
-        ("/errors/sweep", {"over": "eta", "n_t": 1.5}, "n_t"),
-        ("/errors/sweep", {"over": "k_t", "k_t": 1.0}, "k_t"),
-        ("/errors/sweep", {"material": "Au"}, "material"),
-        ("/errors/sweep", {"minimum": 2.0, "maximum": 1.0}, "minimum"),
-        ("/errors/sweep", {"minimum": 0.0}, "minimum"),
-        ("/errors/sweep", {"maximum": 101.0}, "maximum"),
-        ("/errors/sweep", {"over": "k_t", "scale": "log"}, "minimum"),
-        ("/errors/sweep", {"over": "eta", "n_i": 50.0, "maximum": 3.0}, "maximum"),
-        ("/errors/sweep", {"steps": 1}, "steps"),
-        ("/errors/sweep", {"steps": 20_002}, "steps"),
-        ("/errors/sweep", {"model": "shlick"}, "model"),
-        (
-            "/errors/sweep",
-            {"model": "hoffman_f82", "k_t": 3.0, "hoffman_f82.F0": "1,1,1"},
-            "hoffman_f82.F0",
-        ),
-        ("/errors/map", {"x_steps": 501, "y_steps": 500}, "x_steps"),
-        ("/errors/map", {"x": "n_t"}, "y"),
-        ("/errors/map", {"x": "eta"}, "y"),
-        ("/errors/map", {"metric": "rms"}, "metric"),
-        ("/errors/map", {"x": "n_t", "y": "k_t", "metric": "error"}, "metric"),
-        ("/errors/map", {"metric": "worst"}, "metric"),
-        ("/errors/map", {"n_t": 2.0}, "n_t"),
-        ("/errors/map", {"x_maximum": 91.0}, "x_maximum"),
-        ("/errors/map", {"y_minimum": 3.0, "y_maximum": 3.0}, "y_minimum"),
-        ("/errors/map", {"material": "Au"}, "material"),
-        ("/errors/map", {"x": "n_t", "y": "k_t", "model": "lut_1d", "lut_1d.size": 4096}, "steps"),
+        ("/errors/sweep?over=k_t&scale=log", "minimum"),
+        ("/errors/map?x=n_t", "y"),
+        ("/errors/map?x=eta", "y"),
+        ("/errors/map?x=n_t&y=k_t&model=lut_1d&lut_1d.size=4096", "steps"),
     ],
 )
-def test_refused(ask: Ask, path: str, parameters: dict[str, Any], name: str) -> None:
-    assert refused(ask(path, **parameters)) == name
+def test_what_was_not_given_may_be_at_fault(ask: Ask, target: str, name: str) -> None:
+    assert error_of(ask(target))["parameter"] == name

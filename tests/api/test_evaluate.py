@@ -1,7 +1,6 @@
 """`POST /evaluate`: the same numbers as elsewhere, in order, whatever else is asked beside them."""
 
 import asyncio
-import csv
 import io
 import json
 import subprocess
@@ -23,6 +22,7 @@ from app.main import create_app
 from app.optics.registry import default_registry
 from app.server.pool import Pool
 from app.settings import Settings
+from tests.api.shape import error_of, rows_of
 from tests.api.wire import exchange, get, served
 from tests.optics.reference.fresnel import fresnel
 
@@ -33,18 +33,18 @@ Post = Callable[..., httpx.Response]
 
 
 def poster(app: FastAPI) -> Post:
-    def post(content: Any, kind: str = "application/json", **headers: str) -> httpx.Response:
+    def post(
+        content: Any, kind: str = "application/json", query: str = "", **headers: str
+    ) -> httpx.Response:
         body = content if isinstance(content, bytes) else json.dumps({"items": content}).encode()
+        named = {name.replace("_", "-"): value for name, value in headers.items()}
+        named["Content-Type"] = kind
 
         async def request() -> httpx.Response:
             transport = httpx.ASGITransport(app=app, raise_app_exceptions=False)
             async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
-                return await client.post(
-                    "/api/v1/evaluate",
-                    content=body,
-                    headers={"Content-Type": kind}
-                    | {name.replace("_", "-"): value for name, value in headers.items()},
-                )
+                target = f"/api/v1/evaluate?{query}"
+                return await client.post(target, content=body, headers=named)
 
         return asyncio.run(request())
 
@@ -95,7 +95,7 @@ def test_exact_values_beside_thirty_digits(post: Post) -> None:
             (0.5, 0.1, 0.0, 0.0), (3.0, 5.0, 8.0, 90.0), (60, 4)
         )
     ]
-    quantities = {"R": "R", "Rs": "Rs", "Rp": "Rp", "T": "T", "Ts": "Ts", "Tp": "Tp"}
+    quantities = {name: name for name in ("R", "Rs", "Rp", "T", "Ts", "Tp")}
     quantities |= {"penetration_depth_wavelengths": "depth", "theta_t_deg": "theta_t_deg"}
     items = [
         dict(zip(("n_i", "n_t", "k_t", "theta_i_deg"), ray, strict=True)) | {"quantity": quantity}
@@ -144,19 +144,14 @@ def test_groups_keep_the_order(post: Post) -> None:
 
 
 def test_a_models_own_parameters(post: Post) -> None:
-    found = results(
-        post(
-            [
-                {"model": "schlick", "schlick.F0": 0.5, "theta_i_deg": 0},
-                {"model": "schlick", "theta_i_deg": 0},
-                {"model": "lut_1d", "lut_1d.size": 2, "lut_1d.filtering": "nearest"},
-                {"model": "lut_1d", "lut_1d.size": 3, "lut_1d.bits": "8", "theta_i_deg": 85},
-            ]
-        )
-    )
-    assert found[0] == 0.5
-    assert found[1] == pytest.approx(0.04)
-    assert found[2] == pytest.approx(0.04)
+    items = [
+        {"model": "schlick", "schlick.F0": 0.5, "theta_i_deg": 0},
+        {"model": "schlick", "theta_i_deg": 0},
+        {"model": "lut_1d", "lut_1d.size": 2, "lut_1d.filtering": "nearest"},
+        {"model": "lut_1d", "lut_1d.size": 3, "lut_1d.bits": "8", "theta_i_deg": 85},
+    ]
+    found = results(post(items))
+    assert found[:3] == [0.5, pytest.approx(0.04), pytest.approx(0.04)]
     assert 0.04 < found[3] < 1.0
 
 
@@ -219,24 +214,14 @@ def test_what_is_wrong_stands_in_its_place(
     ],
 )
 def test_a_body_that_is_none(post: Post, body: bytes) -> None:
-    response = post(body)
-    assert response.status_code == 422
-    assert response.headers["content-type"] == "application/problem+json"
-    assert response.json()["errors"][0]["parameter"] == "items"
+    assert error_of(post(body))["parameter"] == "items"
 
 
 def test_csv(post: Post) -> None:
-    response = post(
-        [{"theta_i_deg": [0, 90]}, {"n_t": -1}, {"n_t": 1.0, "k_t": 0}], accept="text/csv"
-    )
-    assert response.headers["content-type"] == "text/csv; charset=utf-8"
-    rows = list(csv.DictReader(io.StringIO(response.text)))
-    assert [(row["item"], row["value"]) for row in rows] == [
-        ("0", rows[0]["value"]),
-        ("0", "1.0"),
-        ("1", ""),
-        ("2", "0.0"),
-    ]
+    items = [{"theta_i_deg": [0, 90]}, {"n_t": -1}, {"n_t": 1.0, "k_t": 0}]
+    rows = rows_of(post(items, accept="text/csv"))
+    assert [row["item"] for row in rows] == ["0", "0", "1", "2"]
+    assert [row["value"] for row in rows[1:]] == ["1.0", "", "0.0"]
     assert float(rows[0]["value"]) == pytest.approx(0.04)
     assert rows[1]["error"] == ""
     assert rows[2]["error"].startswith("n_t = -1.0: ")
@@ -298,9 +283,7 @@ def test_arrow_integers_and_choices(post: Post) -> None:
     ],
 )
 def test_arrow_columns_that_are_wrong(post: Post, columns: dict[str, Any], parameter: str) -> None:
-    response = post(as_arrow(columns), ARROW)
-    assert response.status_code == 422
-    assert response.json()["errors"][0]["parameter"] == parameter
+    assert error_of(post(as_arrow(columns), ARROW))["parameter"] == parameter
 
 
 def test_arrow_bytes_that_are_none(post: Post) -> None:
@@ -371,31 +354,8 @@ def test_a_million_values_and_no_more(post: Post) -> None:
     assert post(rows, ARROW).status_code == 413
 
 
-def test_no_query_but_digits(app: FastAPI) -> None:
-    async def request() -> httpx.Response:
-        transport = httpx.ASGITransport(app=app)
-        async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
-            return await client.post("/api/v1/evaluate?samples=3", json={"items": []})
-
-    response = asyncio.run(request())
-    assert response.status_code == 422
-    assert response.json()["errors"][0]["parameter"] == "samples"
-
-
-def test_other_pages_may_ask(app: FastAPI) -> None:
-    async def request() -> httpx.Response:
-        transport = httpx.ASGITransport(app=app)
-        async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
-            return await client.options(
-                "/api/v1/evaluate",
-                headers={
-                    "Origin": "https://elsewhere.example",
-                    "Access-Control-Request-Method": "POST",
-                    "Access-Control-Request-Headers": "content-type",
-                },
-            )
-
-    assert asyncio.run(request()).status_code == 200
+def test_no_query_but_digits(post: Post) -> None:
+    assert error_of(post([], query="samples=3"))["parameter"] == "samples"
 
 
 def test_health_answers_whatever_a_large_call_is_at(monkeypatch: pytest.MonkeyPatch) -> None:

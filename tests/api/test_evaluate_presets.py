@@ -1,13 +1,9 @@
 """Presets in `POST /evaluate`: what `/snell` answers and refuses, for many at once."""
 
-import asyncio
-import csv
-import io
 import json
 from collections.abc import Callable
 from typing import Any
 
-import httpx
 import numpy as np
 import pyarrow as pa
 import pytest
@@ -24,10 +20,10 @@ from app.materials.media import (
 )
 from app.optics.errors import OpticsError
 from app.optics.registry import default_registry
+from tests.api.shape import Ask, error_of, rows_of
 from tests.api.test_evaluate import ARROW, Post, as_arrow, from_arrow, poster, results
 from tests.optics.reference.fresnel import fresnel
 
-Ask = Callable[..., httpx.Response]
 CATALOG = default_catalog()
 WAVELENGTHS_NM = (None, 1.0, 299.9, 300.0, 430.5, 587.6, 589.0, 1064.0, 24_930.0, 1e6, 1e7)
 
@@ -218,9 +214,7 @@ def test_columns_of_an_arrow_stream(post: Post, ask: Ask, encoded: bool) -> None
 
 def test_three_numbers_in_a_column(post: Post) -> None:
     columns = {"schlick.F0": pa.array([[1.0, 0.7, 0.3]])}
-    response = post(as_arrow(columns), ARROW)
-    assert response.status_code == 422
-    assert "/curves" in response.json()["errors"][0]["message"]
+    assert "/curves" in error_of(post(as_arrow(columns), ARROW))["message"]
 
 
 @pytest.mark.parametrize("column", ["model", "material", "odd"])
@@ -236,26 +230,16 @@ def test_what_a_name_may_have_meant_is_looked_for_a_few_times_alone(
 
 
 @pytest.mark.parametrize("kind", ["application/json", "text/csv", ARROW])
-def test_digits(app: FastAPI, kind: str) -> None:
-    body = {"items": [{"n_t": 1.7, "theta_i_deg": 55}]}
-
-    async def request(digits: int) -> httpx.Response:
-        transport, address = httpx.ASGITransport(app=app), "/api/v1/evaluate"
-        async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
-            headers, params = {"Accept": kind}, {"digits": digits}
-            return await client.post(address, json=body, headers=headers, params=params)
-
+def test_digits(post: Post, kind: str) -> None:
+    items = [{"n_t": 1.7, "theta_i_deg": 55}]
     exact = float(fresnel(1.0, 1.7, 0.0, 55.0).R)
-    response = asyncio.run(request(4))
-    assert response.status_code == 200
+    response = post(items, accept=kind, query="digits=4")
     if kind == ARROW:
         (value,) = from_arrow(response)["value"].to_pylist()
     elif kind == "text/csv":
-        (row,) = csv.DictReader(io.StringIO(response.text))
+        (row,) = rows_of(response)
         value = float(row["value"])
     else:
-        (value,) = response.json()["results"]
+        (value,) = results(response)
     assert value == float(f"{exact:.4g}") != exact
-    refused = asyncio.run(request(2))
-    assert refused.status_code == 422
-    assert refused.json()["errors"][0]["parameter"] == "digits"
+    assert error_of(post(items, accept=kind, query="digits=2"))["parameter"] == "digits"

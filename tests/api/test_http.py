@@ -169,11 +169,23 @@ class TestOtherOrigins:
         assert "GET, HEAD, POST" in refused.json()["detail"]
         assert refused.json()["instance"] == "/api/v1/snell"
 
-    def test_preflight_of_a_batch_in_json_passes(self, app: FastAPI) -> None:
-        wanted = {"method": "POST", "headers": "content-type"}
-        named = {f"Access_Control_Request_{k.title()}": v for k, v in wanted.items()}
-        allowed = ask(app, API + b"/evaluate", "OPTIONS", Origin="https://example.org", **named)
+    @pytest.mark.parametrize(
+        ("method", "header"),
+        [
+            ("POST", "content-type"),
+            ("GET", "if-none-match"),
+            ("HEAD", "if-none-match"),
+            ("GET", "x-request-id"),
+        ],
+    )
+    def test_preflight_with_a_header_passes(self, app: FastAPI, method: str, header: str) -> None:
+        wanted = {"Method": method, "Headers": header}
+        named = {f"Access_Control_Request_{name}": value for name, value in wanted.items()}
+        target = API + (b"/evaluate" if method == "POST" else b"/snell")
+        allowed = ask(app, target, "OPTIONS", Origin="https://example.org", **named)
         assert allowed.status == 200
+        assert allowed.headers["access-control-allow-origin"] == "*"
+        assert header in allowed.headers["access-control-allow-headers"].lower()
 
     def test_a_cache_may_hand_any_answer_to_any_page(self, app: FastAPI) -> None:
         """What is kept from a request without an origin serves one that has it."""

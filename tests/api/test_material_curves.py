@@ -1,8 +1,5 @@
 """Spectra, curves and maps of materials: agreement with the core, one another and the figures."""
 
-import csv
-import io
-from collections.abc import Callable
 from typing import Any
 
 import httpx
@@ -16,15 +13,14 @@ from app.optics.amplitudes import power
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.specular import polynomial
+from tests.api.shape import Ask, error_of, rows_of
 
-Ask = Callable[..., httpx.Response]
 CHANNELS = ("R_red", "R_green", "R_blue")
 SPECTRA = [preset.id for preset in default_catalog().presets if preset.kind == "spectrum"]
 
 
 def table(answer: httpx.Response) -> dict[str, list[str]]:
-    assert answer.headers["content-type"] == "text/csv; charset=utf-8"
-    rows = list(csv.DictReader(io.StringIO(answer.text)))
+    rows = rows_of(answer)
     return {name: [row[name] for row in rows] for name in rows[0]}
 
 
@@ -61,9 +57,9 @@ def test_a_step(ask: Ask) -> None:
 
 
 def test_nothing_is_extrapolated(ask: Ask) -> None:
-    problem = ask("/materials/Au/spectrum", minimum_nm=200).json()
-    assert problem["errors"][0]["parameter"] == "minimum_nm"
-    assert "300 to 24930 nm" in problem["errors"][0]["message"]
+    error = error_of(ask("/materials/Au/spectrum", minimum_nm=200))
+    assert error["parameter"] == "minimum_nm"
+    assert "300 to 24930 nm" in error["message"]
     # n from 365 nm, k from 370 nm
     answer = ask("/materials/LASF9/spectrum", maximum_nm=375, step_nm=5).json()
     assert answer["wavelength_nm"] == [365, 370, 375]
@@ -119,12 +115,8 @@ def test_rgb_is_the_core_s(ask: Ask, id: str) -> None:  # noqa: A002
     incidence = Incidence.from_degrees(answer["theta_i_deg"])
     color = appearance(spectrum)
     truth, schlick, tint, exact = answer["rgb"]["curves"]
-    assert [c["model"] for c in answer["rgb"]["curves"]] == [
-        "spectral",
-        "schlick",
-        "f82_tint",
-        "exact",
-    ]
+    models = [c["model"] for c in answer["rgb"]["curves"]]
+    assert models == ["spectral", "schlick", "f82_tint", "exact"]
     assert np.allclose(channels(truth), color_curve(spectrum, incidence).T, atol=1e-14)
     assert np.allclose(channels(truth)[:, 0], color.F0, atol=1e-12)
     assert np.array_equal(channels(schlick), polynomial(color.F0[:, np.newaxis], incidence.cos))

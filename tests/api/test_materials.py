@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 import httpx
 import numpy as np
 import pytest
@@ -16,8 +13,8 @@ from app.materials.appearance import Viewing, appearance
 from app.materials.media import default_catalog
 from app.optics.color import decode_srgb
 from app.optics.interface import Interface
+from tests.api.shape import Ask, targets
 
-Ask = Callable[..., httpx.Response]
 IDS = [preset.id for preset in default_catalog().presets]
 
 
@@ -169,72 +166,40 @@ def test_colors_are_those_of_the_core(ask: Ask) -> None:
 
 # What is refused
 
-MANY = ",".join(map(str, range(300, 400)))
-HOSTILE: list[tuple[str, dict[str, Any]]] = [
-    ("/materials", {"limit": 0}),
-    ("/materials", {"limit": "1e3"}),
-    ("/materials", {"offset": -1}),
-    ("/materials", {"category": "gold"}),
-    ("/materials", {"kind": "both"}),
-    ("/materials", {"q": "x" * 101}),
-    ("/materials", {"page": 2}),
-    ("/materials/nothing", {}),
-    ("/materials/..%2f..%2fetc%2fpasswd", {}),
-    ("/materials/%00", {}),
-    ("/materials/" + "x" * 5000, {}),
-    ("/materials/gold", {"gamut": "bright"}),
-    ("/materials/gold", {"illuminant": "A"}),
-    ("/materials/gold", {"wavelength_nm": "inf"}),
-    ("/materials/gold", {"wavelength_nm": "5e-324"}),
-    ("/materials/water-shirley", {"wavelength_nm": 500}),
-    ("/materials/water-shirley/spectrum", {}),
-    ("/materials/nothing/spectrum", {}),
-    ("/materials/Au/spectrum", {"minimum_nm": 299}),
-    ("/materials/Au/spectrum", {"maximum_nm": 24931}),
-    ("/materials/Au/spectrum", {"minimum_nm": 600, "maximum_nm": 500}),
-    ("/materials/Au/spectrum", {"minimum_nm": "nan"}),
-    ("/materials/Au/spectrum", {"step_nm": 0}),
-    ("/materials/Au/spectrum", {"step_nm": -1}),
-    ("/materials/Au/spectrum", {"step_nm": "5e-324"}),
-    ("/materials/Au/spectrum", {"step_nm": 0.1}),
-    ("/materials/Au/spectrum", {"minimum_nm": 500.01, "maximum_nm": 500.02}),
-    ("/materials/Au/map", {"steps": 20001, "samples": 20001}),
-    ("/materials/Au/map", {"steps": 501, "samples": 500}),
-    ("/materials/Au/map", {"maximum_nm": 24930}),
-    ("/materials/Au/map", {"incident": "Cu"}),
-    ("/materials/Au/map", {"incident": "water-shirley"}),
-    ("/materials/Au/map", {"incident": "water", "n_i": 1.5}),
-    ("/materials/Au/map", {"incident": "glycerol", "minimum_nm": 380}),
-    ("/materials/Au/curves", {"incident": "glycerol", "wavelengths_nm": "390"}),
-    ("/materials/Au/map", {"quantity": "T"}),
-    ("/materials/nothing/map", {}),
-    ("/materials/water-shirley/map", {}),
-    ("/materials/Au/curves", {"wavelengths_nm": ""}),
-    ("/materials/Au/curves", {"wavelengths_nm": "400,,500"}),
-    ("/materials/Au/curves", {"wavelengths_nm": "400,400.0"}),
-    ("/materials/Au/curves", {"wavelengths_nm": "nan"}),
-    ("/materials/Au/curves", {"wavelengths_nm": "1e999"}),
-    ("/materials/Au/curves", {"wavelengths_nm": "4_00"}),
-    ("/materials/Au/curves", {"wavelengths_nm": "red"}),
-    ("/materials/Au/curves", {"wavelengths_nm": "299"}),
-    ("/materials/Au/curves", {"wavelengths_nm": "24930"}),
-    ("/materials/Au/curves", {"wavelengths_nm": MANY, "samples": 20001}),
-    ("/materials/Au/curves", {"samples": 20002}),
-    ("/materials/Au/curves", {"samples": 1}),
-    ("/materials/Au/curves", {"n_i": 0}),
-    ("/materials/Au/curves", {"models": "deon_rg"}),
-    ("/materials/Au/curves", {"models": "nothing"}),
-    ("/materials/Au/curves", {"models": "schlick,schlick"}),
-    ("/materials/Au/curves", {"rgb": "false", "gamut": "clamped"}),
-    ("/materials/Au/curves", {"incident": "gold"}),
-    ("/materials/Au/curves", {"incident": "nothing"}),
-    ("/materials/water-shirley/curves", {}),
-]  # fmt: skip
+HOSTILE = {
+    "/materials": ("limit=0 limit=1e3 offset=-1 category=gold kind=both page=2 q=" + "x" * 101),
+    "/materials/gold": ("gamut=bright illuminant=A wavelength_nm=inf wavelength_nm=5e-324"),
+    "/materials/water-shirley": "wavelength_nm=500",
+    "/materials/Au/spectrum": (
+        "minimum_nm=299 maximum_nm=24931 minimum_nm=600&maximum_nm=500 minimum_nm=nan step_nm=0 "
+        "step_nm=-1 step_nm=5e-324 step_nm=0.1 minimum_nm=500.01&maximum_nm=500.02"
+    ),
+    "/materials/Au/map": (
+        "steps=20001&samples=20001 steps=501&samples=500 maximum_nm=24930 incident=Cu "
+        "incident=water-shirley incident=water&n_i=1.5 incident=glycerol&minimum_nm=380 quantity=T"
+    ),
+    "/materials/Au/curves": (
+        "incident=glycerol&wavelengths_nm=390 wavelengths_nm= wavelengths_nm=400,,500 "
+        "wavelengths_nm=400,400.0 wavelengths_nm=nan wavelengths_nm=1e999 wavelengths_nm=4_00 "
+        "wavelengths_nm=red wavelengths_nm=299 wavelengths_nm=24930 samples=20002 samples=1 n_i=0 "
+        "models=deon_rg models=nothing models=schlick,schlick rgb=false&gamut=clamped "
+        "incident=gold incident=nothing samples=20001&wavelengths_nm="
+        + ",".join(map(str, range(300, 400)))
+    ),
+}
+NOTHING = (
+    "nothing ..%2f..%2fetc%2fpasswd %00 water-shirley/spectrum nothing/spectrum nothing/map "
+    "water-shirley/map water-shirley/curves " + "x" * 5000
+)
 
 
-@pytest.mark.parametrize(("path", "query"), HOSTILE, ids=lambda part: str(part)[:60])
-def test_hostile_queries_are_problems(ask: Ask, path: str, query: dict[str, Any]) -> None:
-    answer = ask(path, **query)
+@pytest.mark.parametrize(
+    "target",
+    [*targets(HOSTILE), *(f"/materials/{name}" for name in NOTHING.split())],
+    ids=lambda target: target[:60],
+)
+def test_hostile_queries_are_problems(ask: Ask, target: str) -> None:
+    answer = ask(target)
     assert answer.status_code in (404, 422), answer.text
     assert answer.headers["content-type"] == "application/problem+json"
     problem = answer.json()

@@ -2,26 +2,16 @@
 
 import math
 import re
-from collections.abc import Callable
 from typing import Any
 
-import httpx
 import pytest
 from fastapi import FastAPI
 
 from app.materials.media import NEGLIGIBLE_K, default_catalog
 from app.settings import Settings
+from tests.api.shape import Ask, error_of
 
-Ask = Callable[..., httpx.Response]
 PRESETS = ("material", "incident", "wavelength_nm")
-
-
-def refused(answer: httpx.Response, parameter: str) -> str:
-    """The message about a parameter of a 422."""
-    assert answer.status_code == 422, answer.text
-    assert answer.headers["content-type"] == "application/problem+json"
-    messages = {e["parameter"]: e["message"] for e in answer.json()["errors"]}
-    return str(messages[parameter])
 
 
 @pytest.mark.parametrize("id", ["Au", "Cu-McPeak", "BK7", "fused-silica", "water-shirley"])
@@ -87,7 +77,9 @@ def test_the_default_wavelength_is_587_6_nm(ask: Ask) -> None:
 )
 @pytest.mark.parametrize("path", ["/snell", "/curves", "/albedo"])
 def test_refusals(ask: Ask, path: str, query: dict[str, Any], parameter: str, message: str) -> None:
-    assert message in refused(ask(path, **query), parameter)
+    error = error_of(ask(path, **query))
+    assert error["parameter"] == parameter
+    assert message in error["message"]
 
 
 def test_a_k_that_is_not_known_is_said_to_count_as_0(ask: Ask) -> None:

@@ -1,18 +1,13 @@
 """Recommendations, held against the curves that the API itself sends; every model is accounted for."""
 
-from collections.abc import Callable
-from typing import Any
-
-import httpx
 import numpy as np
 import pytest
 
-from app.answers.recommendation import WEIGHTS, Recommendation, recommendation, weighted
+from app.answers.recommendation import WEIGHTS, recommendation, weighted
 from app.optics.interface import Interface
 from app.optics.registry import Cost, default_registry
-from tests.api.shapes import json_of, refused, rows_of
+from tests.api.shape import Ask, error_of, json_of, last_name, rows_of, targets
 
-Ask = Callable[..., httpx.Response]
 REGISTRY = default_registry()
 GLASS = {"n_t": 1.5}
 GOLD = {"n_t": 0.27, "k_t": 2.9}
@@ -41,7 +36,7 @@ def recomputed(ask: Ask, media: dict[str, float]) -> dict[str, float]:
 def test_the_answers_hold_by_the_curves_alone(ask: Ask, media: dict[str, float]) -> None:
     largest = recomputed(ask, media)
     for budget in (0.05, 0.02, 0.005):
-        body = json_of(Recommendation, ask("/recommend", **media, max_error=budget))
+        body = json_of(ask("/recommend", **media, max_error=budget))
         assert body["models"]
         assert all(largest[candidate["model"]] <= budget for candidate in body["models"])
         for candidate in body["refused"]:
@@ -59,7 +54,7 @@ def test_the_answers_hold_by_the_curves_alone(ask: Ask, media: dict[str, float])
 def test_every_model_is_either_within_or_refused_and_the_cheapest_first(
     ask: Ask, media: dict[str, float], budget: float, metric: str
 ) -> None:
-    body = json_of(Recommendation, ask("/recommend", **media, max_error=budget, metric=metric))
+    body = json_of(ask("/recommend", **media, max_error=budget, metric=metric))
     everything = [*body["models"], *body["refused"]]
     assert {candidate["model"] for candidate in everything} == set(REGISTRY)
     for candidate in everything:
@@ -126,15 +121,9 @@ def test_as_csv(ask: Ask) -> None:
     assert rows["pharr_humphreys"]["max_abs"] == ""
 
 
-@pytest.mark.parametrize(
-    ("parameters", "name"),
-    [
-        ({"max_error": 0.0}, "max_error"),
-        ({"max_error": 2.0}, "max_error"),
-        ({"metric": "max_abs_at_deg"}, "metric"),
-        ({"models": "schlick"}, "models"),
-        ({"n_t": "inf"}, "n_t"),
-    ],
-)
-def test_refused(ask: Ask, parameters: dict[str, Any], name: str) -> None:
-    assert refused(ask("/recommend", **parameters)) == name
+REFUSED = {"/recommend": "max_error=0 max_error=2 metric=max_abs_at_deg models=schlick n_t=inf"}
+
+
+@pytest.mark.parametrize("target", targets(REFUSED))
+def test_the_parameter_named_last_is_refused(ask: Ask, target: str) -> None:
+    assert error_of(ask(target))["parameter"] == last_name(target)
