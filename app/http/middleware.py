@@ -142,13 +142,15 @@ class CommonHeaders:
             return
         is_api = scope["path"].removeprefix(scope["root_path"]).startswith(self._api)
 
+        is_preflight = is_api and scope["method"] == "OPTIONS"
+
         async def send_with_headers(message: Message) -> None:
             if message["type"] == "http.response.start":
                 given = message.get("headers", ())
                 named = dict(given)
                 kind = named.get(b"content-type", b"")
                 added = dict(_ON_ALL)
-                if is_api or kind == _PROBLEM:
+                if (is_api and not is_preflight) or kind == _PROBLEM:
                     added |= _ON_API
                 if kind.startswith(b"text/html"):
                     documents = self._documents(scope["query_string"])
@@ -157,7 +159,7 @@ class CommonHeaders:
                 message = {**message, "headers": [*given, *more]}
             await send(message)
 
-        if is_api and scope["method"] == "OPTIONS":
+        if is_preflight:
             await self._preflight(scope, receive, send_with_headers)
         else:
             await self.app(scope, receive, send_with_headers)
