@@ -1,8 +1,17 @@
-"""Settings of all tests."""
+"""Settings of all tests, and the application that most of them ask."""
 
+import pytest
+from fastapi import FastAPI
 from hypothesis import settings
+
+from app.main import create_app
 
 # A busy machine must not turn a slow example into a failure.
 settings.register_profile("project", deadline=None)
 if settings.get_current_profile_name() == "default":
     settings.load_profile("project")
+
+
+@pytest.fixture(scope="session")
+def app() -> FastAPI:
+    return create_app()

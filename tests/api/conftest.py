@@ -8,13 +8,7 @@ import httpx
 import pytest
 from fastapi import FastAPI
 
-from app.main import create_app
 from tests.api.shape import check_shape
-
-
-@pytest.fixture(scope="session")
-def app() -> FastAPI:
-    return create_app()
 
 
 @pytest.fixture(scope="session")

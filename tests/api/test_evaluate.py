@@ -18,10 +18,8 @@ import pyarrow as pa
 import pytest
 from fastapi import FastAPI
 
-from app.main import create_app
 from app.optics.registry import default_registry
 from app.server.pool import Pool
-from app.settings import Settings
 from tests.api.shape import error_of, rows_of
 from tests.api.wire import exchange, get, served
 from tests.optics.reference.fresnel import fresnel
@@ -334,14 +332,6 @@ def test_kinds_that_are_not_there(post: Post) -> None:
         response = post([{}], **headers)
         assert response.status_code == 415
         assert response.headers["accept-post"] == f"application/json, {ARROW}"
-
-
-def test_limits() -> None:
-    small = poster(create_app(Settings(max_body_bytes=1000)))
-    assert small([{}]).status_code == 200
-    refused = small([{"n_t": 1.5}] * 100)
-    assert refused.status_code == 413
-    assert "1000 bytes" in refused.json()["detail"]
 
 
 def test_a_million_values_and_no_more(post: Post) -> None:

@@ -89,16 +89,6 @@ def test_constants_beyond_what_is_computed(ask: Ask) -> None:
 # /curves
 
 
-def test_copper_of_shirley(ask: Ask) -> None:
-    answer = ask("/materials/Cu/curves").json()
-    assert [c["wavelength_nm"] for c in answer["wavelengths"]] == [400, 500, 600, 700, 800]
-    normal = [c["R"][0] for c in answer["wavelengths"]]
-    assert normal == sorted(normal)
-    assert normal[0] == pytest.approx(0.5, abs=0.05)
-    assert normal[-1] > 0.95
-    assert {c["R"][-1] for c in answer["wavelengths"]} == {1.0}
-
-
 def test_a_wavelength_is_what_curves_say_of_it(ask: Ask) -> None:
     own = ask("/materials/Cu/curves", wavelengths_nm="500", samples=91, incident="water").json()
     query = {"material": "Cu", "incident": "water", "wavelength_nm": 500, "samples": 91}

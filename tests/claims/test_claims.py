@@ -13,7 +13,6 @@ from app.api import PREFIX
 from app.claims import CLAIMS, Claim, Figure, Part
 from app.claims.readings import follow, value
 from app.claims.topics import schlick
-from app.main import create_app
 from tests.api.raw import send
 from tests.claims import oracle
 
@@ -26,11 +25,6 @@ ROUNDING = 1e-11
 # A grid of angles comes near the largest error, and onto a jump at a critical angle no closer.
 ON_A_GRID, NEAR_A_JUMP = 2e-6, 3e-3
 JUMPS = ("schlick-knows-no-tir", "schlick-tir-fixes-it", "wrong-angle-in-glass")
-
-
-@pytest.fixture(scope="module")
-def app() -> FastAPI:
-    return create_app()
 
 
 @pytest.fixture(scope="module")

@@ -18,7 +18,6 @@ from app.api.table import RouteTable
 from app.cli import plots
 from app.cli.main import cli
 from app.cli.queries import COMMANDS, Command
-from app.main import create_app
 from tests.api.raw import send
 
 ROOT = Path(__file__).parents[2]
@@ -34,11 +33,6 @@ ASKED: dict[str, tuple[str, dict[str, str]]] = {
     "models": ("", {"fields": "id,title,kind,applies_to"}),
     "claims": ("", {"verdict": "does not hold"}),
 }
-
-
-@pytest.fixture(scope="module")
-def app() -> FastAPI:
-    return create_app()
 
 
 def run(*arguments: str) -> Any:

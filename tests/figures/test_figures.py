@@ -39,11 +39,6 @@ QUERIES = {
 }
 
 
-@pytest.fixture(scope="module")
-def app() -> FastAPI:
-    return create_app()
-
-
 def figure(app: FastAPI, name: str, **more: str) -> Answer:
     return send(app, f"/api/v1/figures/{name}?{urlencode(QUERIES[name] | more)}".encode())
 

@@ -38,37 +38,42 @@ class Request:
         return b"\r\n".join([*lines, b"", self.body])
 
 
+WORDS = (
+    "0 1 1.5 -0 90 nan inf -Infinity 1e400 1e-400 0x1p3 1_0 100 100.0000001 1e-3 0.00099999 "
+    "5e-324 1.7976931348623157e308 1,5 1/1.5 \u0661 true null [1]"
+)
 NUMBERS = st.one_of(
     st.sampled_from(
         [
-            "0",
-            "1",
-            "1.5",
-            "-0",
-            "90",
-            "nan",
-            "inf",
-            "-Infinity",
-            "1e400",
-            "1e-400",
-            "0x1p3",
-            "1_0",
-            "100",
-            "100.0000001",
-            "1e-3",
-            "0.00099999",
-            "5e-324",
-            "1.7976931348623157e308",
-            "",
-            "1,5",
-            "1/1.5",
-            " 1.5",
-            "1.5\x00",
-            "\u0661",
-            "true",
-            "null",
-            "[1]",
-            "2" * 5000,
+            *[
+                "0",
+                "1",
+                "1.5",
+                "-0",
+                "90",
+                "nan",
+                "inf",
+                "-Infinity",
+                "1e400",
+                "1e-400",
+                "0x1p3",
+                "1_0",
+                "100",
+                "100.0000001",
+                "1e-3",
+            ],
+            *[
+                "0.00099999",
+                "5e-324",
+                "1.7976931348623157e308",
+                "1,5",
+                "1/1.5",
+                "١",
+                "true",
+                "null",
+                "[1]",
+            ],
+            *("", " 1.5", "1.5\x00", "2" * 5000),
         ]
     ),
     st.floats(allow_nan=True).map(repr),
@@ -146,21 +151,10 @@ def targets(draw: st.DrawFn, known: list[Operation], ids: list[str]) -> tuple[by
 PATHS = st.one_of(
     st.sampled_from(
         [
-            b"/",
-            b"/docs",
-            b"/openapi.json",
-            b"/metrics",
-            b"/js/main.js",
-            b"/vendor/manifest.json",
-            b"/../app/main.py",
-            b"/%2e%2e/pyproject.toml",
-            b"/js/%00",
-            b"//",
-            b"*",
-            b"/api/v1//",
+            *b"/ /docs /openapi.json /metrics /js/main.js /vendor/manifest.json * // /api/v1//".split(),
+            *b"/../app/main.py /%2e%2e/pyproject.toml /js/%00 /%ff%fe".split(),
             b"http://example.org/api/v1/health",
             b"/api/v1/models/" + b"x" * 5000,
-            b"/%ff%fe",
         ]
     ),
     st.binary(max_size=20).map(lambda b: b"/" + quote(b).encode()),

@@ -213,16 +213,6 @@ class TestCache:
             assert send(cache, path).headers["content-disposition"] == path.decode()
         assert source.asked == ["/a", "/b"]
 
-    def test_two_tables_with_equal_texels_keep_their_file_names(self, app: FastAPI) -> None:
-        # Schlick with F0 = 0.04 at two interfaces: one function, two names of files.
-        targets = [
-            API + b"/lut?format=npy&size=16&n_t=1.5&model=" + model
-            for model in (b"schlick", b"schlick_four_percent")
-        ]
-        first, second = (send(app, target) for target in targets)
-        assert first.body == second.body
-        assert first.headers["content-disposition"] != second.headers["content-disposition"]
-
     def test_the_longest_unused_goes_first(self) -> None:
         source = Source()
         source.body = lambda path: path.encode() * 12_500
@@ -336,9 +326,7 @@ def test_a_computation_that_takes_too_long_is_a_problem_with_retry_after() -> No
     assert "FRESNEL_TIMEOUT_S" in answer.json()["detail"]
 
 
-def test_equal_large_questions_at_a_time_are_computed_once(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_equal_large_questions_at_a_time_are_computed_once(monkeypatch: pytest.MonkeyPatch) -> None:
     calls: list[int] = []
     original = answered.sampled_incidence
 

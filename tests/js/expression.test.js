@@ -29,31 +29,15 @@ test("what people type into a number box", () => {
 });
 
 test("nonsense is refused with a reason", () => {
+  const words = "glass 1.5.5 1/ (1 1) 1/0 sqrt(-1) NaN Infinity 1e999 alert(1) constructor";
   for (const text of [
     "",
     "  ",
-    "glass",
-    "1.5.5",
-    "1/",
-    "(1",
-    "1)",
     "2 3",
-    "1/0",
-    "sqrt(-1)",
-    "NaN",
-    "Infinity",
-    "1e999",
-    "alert(1)",
-    "constructor",
-    "1,5",
-    "0x10",
-    "--",
-    "1**2",
-    "__proto__",
-    "1;2",
-  ]) {
+    ...words.split(" "),
+    ..."1,5 0x10 -- 1**2 __proto__ 1;2".split(" "),
+  ])
     assert.throws(() => evaluate(text), ExpressionError, text);
-  }
   assert.throws(() => evaluate("1,5"), /point/);
   assert.throws(() => evaluate("1/0"), /finite/);
 });

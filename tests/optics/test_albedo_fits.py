@@ -5,16 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from app.optics.albedo import (
-    FITS,
-    Albedo,
-    Claim,
-    Domain,
-    Fit,
-    UnknownFit,
-    albedo,
-    find_fit,
-)
+from app.optics.albedo import FITS, Albedo, Claim, Domain, Fit, UnknownFit, albedo, find_fit
 from app.optics.albedo.fits.conductor import METALS
 from app.optics.interface import Interface
 

@@ -136,10 +136,3 @@ print(*sorted({WEB!r} & set(sys.modules)))
     command = [sys.executable, "-W", "error", "-c", code]
     run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
     assert run.stdout.split() == []
-
-
-def test_the_core_names_no_web_package() -> None:
-    core = [module for module in MODULES if layer(module) == "app.optics"]
-    named = {name.split(".")[0] for module in core for name in imports(module)}
-    assert named & WEB == set()
-    assert len(core) > 20

@@ -218,9 +218,7 @@ def test_bounds_of_parameters_are_inclusive(model: Model, parameter: Parameter) 
 
 
 @pytest.mark.parametrize(
-    ("model", "parameter"),
-    TRIPLES,
-    ids=[f"{m.id}.{p.name}" for m, p in TRIPLES],
+    ("model", "parameter"), TRIPLES, ids=[f"{m.id}.{p.name}" for m, p in TRIPLES]
 )
 def test_triples_give_three_curves(model: Model, parameter: Parameter) -> None:
     values = np.linspace(parameter.minimum, parameter.maximum, 5)[1:4]

@@ -16,16 +16,7 @@ import pytest
 import zstandard
 
 from app.http.problems import MEDIA_TYPE, Problem
-from tests.serve.command import (
-    API,
-    PATIENCE_S,
-    Answer,
-    Load,
-    Served,
-    answers,
-    serving,
-    wait_for,
-)
+from tests.serve.command import API, PATIENCE_S, Answer, Load, Served, answers, serving, wait_for
 from tests.serve.nginx import find_nginx, in_front_of
 
 CURVES = f"{API}/curves?models=exact,schlick&n_t=1.{{}}"

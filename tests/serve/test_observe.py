@@ -33,11 +33,6 @@ ROUTES = [
 ]
 
 
-@pytest.fixture(scope="module")
-def app() -> FastAPI:
-    return create_app()
-
-
 def samples(app: FastAPI) -> dict[tuple[str, ...], float]:
     """Scrape: the value of every sample by its name and labels' values."""
     answer = send(app, b"/metrics")
