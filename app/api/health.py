@@ -35,7 +35,7 @@ class Health:
 class _NotKept(QueryRoute):
     """A route whose answer may be another the next time."""
 
-    lifetime = "no-store"
+    lifetime = b"no-store"
 
 
 def router(drain: Drain) -> APIRouter:

@@ -37,7 +37,7 @@ class QueryRoute(APIRoute):
     the same time. OpenAPI is FastAPI's own, from the endpoint's signature.
     """
 
-    lifetime: str | None = None
+    lifetime: bytes | None = None
     """How long answers may be kept, as Cache-Control says it; unless given, as the server does."""
 
     effort: Effort = "quick"
@@ -79,7 +79,7 @@ class QueryRoute(APIRoute):
 
             def work() -> Response:
                 response = self.written(scope["path_params"], query)
-                response.headers.setdefault("cache-control", lifetime)
+                response.raw_headers.append((b"cache-control", lifetime))
                 return response
 
             scope["effort"] = "thorough" if query is not None and query.lasts else self.effort

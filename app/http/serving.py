@@ -25,7 +25,7 @@ class Serving:
         self.max_samples = max_samples
         self.max_cells = max_cells
         self._pool = pool
-        self.lifetime = f"public, max-age={max_age_s}"
+        self.lifetime = b"public, max-age=%d" % max_age_s
         self._under_way: dict[Hashable, asyncio.Task[Response]] = {}
 
     async def shared(self, key: Hashable, work: Callable[[], Response]) -> Response:
