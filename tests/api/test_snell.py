@@ -106,12 +106,6 @@ def test_total_internal_reflection(ask: Ask) -> None:
     assert told["penetration_depth_wavelengths"] == pytest.approx(depth, rel=1e-12)
 
 
-def test_a_negative_amplitude_has_the_phase_180(ask: Ask) -> None:
-    assert ray(ask, n_t=1.5, theta_i_deg=20)["r_s"]["phase_deg"] == 180.0
-    assert ray(ask, n_t=1.5, theta_i_deg=20)["r_p"]["phase_deg"] == 0.0
-    assert ray(ask, n_t=1.5, theta_i_deg=80)["r_p"]["phase_deg"] == 180.0
-
-
 def test_grazing_incidence(ask: Ask) -> None:
     told = ray(ask, theta_i_deg=90)
     assert (told["R"], told["T"]) == (1.0, 0.0)

@@ -28,12 +28,8 @@ import {
 } from "../../static/js/albedo/traces.js";
 import { coatPicture, outline } from "../../static/js/coat/picture.js";
 import { createState } from "../../static/js/state/state.js";
+import { PARAMETERS, pick } from "./catalog.js";
 
-const PARAMETERS = [
-  { name: "n_i", default: 1, minimum: 1e-3, maximum: 100 },
-  { name: "n_t", default: 1.5, minimum: 1e-3, maximum: 100 },
-  { name: "k_t", default: 0, minimum: 0, maximum: 100 },
-];
 const CATALOG = /** @type {any} */ ({ parameters: PARAMETERS, models: [], materials: [] });
 
 /** @param {Record<string, unknown>} [patch] @returns {Record<string, any>} */
@@ -218,23 +214,17 @@ test("relative errors are in percent and undefined where the albedo is 0", () =>
 });
 
 test("claims are drawn where they apply, in the kind of error they are about", () => {
-  assert.deepEqual(
-    claimTraces(sweep(), [FIRST], false).map((t) => t.y),
-    [
-      [null, 0.001, 0.001, 0.001],
-      [null, -0.001, -0.001, -0.001],
-    ],
-  );
+  assert.deepEqual(pick(claimTraces(sweep(), [FIRST], false), "y"), [
+    [null, 0.001, 0.001, 0.001],
+    [null, -0.001, -0.001, -0.001],
+  ]);
   assert.deepEqual(claimTraces(sweep(), [FIRST], true), []);
   assert.deepEqual(claimTraces(sweep({ k_t: 1 }), [FIRST], false), []);
 });
 
 test("an axis is made for what lies in the domains, without what runs away", () => {
   const all = errorTraces(sweep(), { lights: [], relative: false }, [FIRST]);
-  assert.deepEqual(
-    decisive(all).map((t) => t.id),
-    ["zero", "first"],
-  );
+  assert.deepEqual(pick(decisive(all), "id"), ["zero", "first"]);
   const y = Array.from({ length: 100 }, (_, i) => (i === 0 ? 3000 : 1));
   const wild = [{ id: "a", label: "", color: "", x: y.map((_, i) => i), y }];
   assert.equal(tamed(wild)[0]?.y[0], null);

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { createQuery, Problem } from "../../static/js/server/api.js";
+import { pick } from "./catalog.js";
 
 /** A server whose answers come when the test says so. */
 function fakeServer() {
@@ -36,16 +37,10 @@ const turn = () => new Promise((resolve) => setTimeout(resolve, 0));
 test("one request is in flight, and of those that wait only the newest is sent", async () => {
   const { asking, asked, answers, busy } = query();
   for (const path of ["/1", "/2", "/3", "/4"]) asking.request(path);
-  assert.deepEqual(
-    asked.map((a) => a.path),
-    ["/1"],
-  );
+  assert.deepEqual(pick(asked, "path"), ["/1"]);
   asked[0]?.answer("one");
   await turn();
-  assert.deepEqual(
-    asked.map((a) => a.path),
-    ["/1", "/4"],
-  );
+  assert.deepEqual(pick(asked, "path"), ["/1", "/4"]);
   asked[1]?.answer("four");
   await turn();
   assert.deepEqual(answers, ["one", "four"]);
@@ -79,10 +74,7 @@ test("a slow stale request is aborted and its late answer dropped", async () => 
   asking.request("/new");
   await new Promise((resolve) => setTimeout(resolve, 30));
   assert.equal(asked[0]?.signal?.aborted, true);
-  assert.deepEqual(
-    asked.map((a) => a.path),
-    ["/slow", "/new"],
-  );
+  assert.deepEqual(pick(asked, "path"), ["/slow", "/new"]);
   asked[0]?.answer("late");
   asked[1]?.answer("new");
   await turn();

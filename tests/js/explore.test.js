@@ -4,10 +4,13 @@ import {
   allLandmarksOf,
   axesOf,
   landmarksOf,
+  locate,
   marksOf,
+  read,
   readingAt,
   tracesOf,
 } from "../../static/js/curves/reading.js";
+import { pick } from "./catalog.js";
 
 /** @type {Interface} */
 const MEDIA = {
@@ -89,14 +92,11 @@ test("beyond the critical angle there is no refracted ray", () => {
 });
 
 test("landmarks are those that exist, each named once", () => {
-  assert.deepEqual(
-    landmarksOf(MEDIA).map((l) => l.label),
-    ["Brewster"],
-  );
-  assert.deepEqual(
-    landmarksOf({ ...MEDIA, critical_deg: 41.8 }).map((l) => l.label),
-    ["Brewster", "critical"],
-  );
+  assert.deepEqual(pick(landmarksOf(MEDIA), "label"), ["Brewster"]);
+  assert.deepEqual(pick(landmarksOf({ ...MEDIA, critical_deg: 41.8 }), "label"), [
+    "Brewster",
+    "critical",
+  ]);
   const metal = { ...MEDIA, brewster_deg: null, pseudo_brewster_deg: 70, principal_deg: 71 };
   assert.deepEqual(landmarksOf(metal), [{ deg: 70, label: "pseudo-Brewster" }]);
   assert.deepEqual(allLandmarksOf(metal), [
@@ -107,15 +107,17 @@ test("landmarks are those that exist, each named once", () => {
 });
 
 test("the plot shows R, Rs and Rp, and what is laid over them", () => {
-  assert.deepEqual(
-    tracesOf(curves(), SHOWN, MODELS).map((t) => t.id),
-    ["Rs", "Rp", "R"],
-  );
+  assert.deepEqual(pick(tracesOf(curves(), SHOWN, MODELS), "id"), ["Rs", "Rp", "R"]);
   const shown = { ...SHOWN, show: ["T", "phase"], models: ["schlick", "coming"] };
-  assert.deepEqual(
-    tracesOf(curves(), shown, MODELS).map((t) => t.id),
-    ["Rs", "Rp", "R", "T", "schlick", "phase_s_deg", "phase_p_deg"],
-  );
+  assert.deepEqual(pick(tracesOf(curves(), shown, MODELS), "id"), [
+    "Rs",
+    "Rp",
+    "R",
+    "T",
+    "schlick",
+    "phase_s_deg",
+    "phase_p_deg",
+  ]);
 });
 
 test("a phase that ends at 180 degrees is drawn where its curve arrives", () => {
@@ -130,4 +132,30 @@ test("radians reach the abscissa, its marks and the phases", () => {
   assert.equal(marksOf(curves({ brewster_deg: 45 }), shown)[0]?.x, Math.PI / 4);
   assert.deepEqual(axesOf(shown).x.range, [0, Math.PI / 2]);
   assert.equal(axesOf(SHOWN).y2, null);
+});
+
+const xs = [0, 1, 2, 2.5, 3];
+const ys = [0, 10, 20, null, 30];
+
+/** @param {number} x */
+const at = (x) => read(ys, locate(xs, x));
+
+test("linear between samples, exact at them", () => {
+  assert.equal(at(0), 0);
+  assert.equal(at(0.25), 2.5);
+  assert.equal(at(1), 10);
+  assert.equal(at(2), 20);
+  assert.equal(at(3), 30);
+});
+
+test("a gap stays a gap", () => {
+  assert.equal(at(2.2), null);
+  assert.equal(at(2.5), null);
+  assert.equal(at(2.7), null);
+});
+
+test("outside the samples the end value is read", () => {
+  assert.equal(at(-1), 0);
+  assert.equal(at(4), 30);
+  assert.equal(read([], locate([], 1)), null);
 });

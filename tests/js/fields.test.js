@@ -5,10 +5,10 @@ import { compareFields } from "../../static/js/compare/fields.js";
 import { materialFields } from "../../static/js/materials/fields.js";
 import { previewFields } from "../../static/js/preview/fields.js";
 import { theoryFields } from "../../static/js/theory/fields.js";
+import { PARAMETERS } from "./catalog.js";
 
-const n = { name: "n_t", minimum: 0.001, maximum: 100, default: 1.5 };
 const CATALOG = /** @type {any} */ ({
-  parameters: ["n_i", "n_t", "k_t", "theta_i_deg"].map((name) => ({ ...n, name })),
+  parameters: PARAMETERS,
   models: [
     { id: "schlick", title: "Schlick", parameters: [], applies_to: [], kind: "approximation" },
   ],

@@ -5,6 +5,7 @@ import { tableOf, texelsOf } from "../../static/js/preview/curves.js";
 import { ciede2000, differenceOf, lab } from "../../static/js/preview/difference.js";
 import { coloredMaterial, later, queries, sidePaths } from "../../static/js/preview/queries.js";
 import { INTERVALS, UNDEFINED } from "../../static/js/preview/shader.js";
+import { PARAMETERS } from "./catalog.js";
 
 /**
  * Table 1 of G. Sharma, W. Wu and E. Dalal, The CIEDE2000 color-difference formula, Color Res. Appl. 30
@@ -138,11 +139,7 @@ test("the camera sees its target in the middle, balls in their rectangles and th
 
 /** @type {any} */
 const catalog = {
-  parameters: [
-    { name: "n_i", default: 1 },
-    { name: "n_t", default: 1.5 },
-    { name: "k_t", default: 0 },
-  ],
+  parameters: PARAMETERS,
   models: [
     { id: "exact", parameters: [] },
     { id: "schlick", parameters: [{ name: "F0", default: null }], takes_color: true },
@@ -156,15 +153,8 @@ const catalog = {
 };
 const state = {
   ...{ n_i: 1, n_t: 1.5, k_t: 0, incident: null, material: null, wavelength_nm: null },
-  ...{
-    left: "exact",
-    right: "schlick",
-    scene: "ball",
-    body: "paint",
-    paint: "#ff0000",
-    sky: "day",
-  },
-  colors: "rgb",
+  ...{ left: "exact", right: "schlick", scene: "ball", sky: "day" },
+  ...{ body: "paint", paint: "#ff0000", colors: "rgb" },
 };
 
 test("one question for both sides of an interface, the paint by channel, the water", () => {
@@ -195,16 +185,7 @@ test("a material is asked for in color, by its color or at three wavelengths", (
 });
 
 test("code and tables are those of a model on the sides, or of what is exact", () => {
-  const field = (/** @type {any} */ more) => ({ default: 0, minimum: 0, maximum: 100, ...more });
-  const catalog = /** @type {any} */ ({
-    models: [],
-    materials: [],
-    parameters: [
-      field({ name: "n_i", default: 1 }),
-      field({ name: "n_t", default: 1.5 }),
-      field({ name: "k_t" }),
-    ],
-  });
+  const catalog = /** @type {any} */ ({ models: [], materials: [], parameters: PARAMETERS });
   const state = { left: "none", right: "none", language: "osl", n_i: 1, n_t: 2, code: null };
   assert.deepEqual(later({ ...state, k_t: 0 }, catalog), {
     shader: "/shaders/exact?language=osl",

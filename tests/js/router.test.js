@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 import { createRouter } from "../../static/js/page/router.js";
 import { choice, createState, number } from "../../static/js/state/state.js";
+import { pick } from "./catalog.js";
 
 const VIEWS = [{ id: "explore" }, { id: "compare" }, { id: "theory" }];
 
@@ -79,10 +80,7 @@ test("an address opens its view, and its state is taken when that is there", asy
 test("an address without a known view opens the first one", async () => {
   const { router, flights } = page();
   const arrived = router.arrive("http://page/?view=nothing");
-  assert.deepEqual(
-    flights.map((f) => f.id),
-    ["explore"],
-  );
+  assert.deepEqual(pick(flights, "id"), ["explore"]);
   flights[0]?.come();
   await arrived;
 });

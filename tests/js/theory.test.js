@@ -13,13 +13,8 @@ import { queries, restCalls } from "../../static/js/theory/queries.js";
 import { STEPS } from "../../static/js/theory/steps.js";
 import { TRAPS } from "../../static/js/theory/trap-cards.js";
 import { SHEETS } from "../../static/js/theory/worksheets.js";
+import { PARAMETERS } from "./catalog.js";
 
-const PARAMETERS = [
-  { name: "n_i", default: 1, minimum: 1e-3, maximum: 100 },
-  { name: "n_t", default: 1.5, minimum: 1e-3, maximum: 100 },
-  { name: "k_t", default: 0, minimum: 0, maximum: 100 },
-  { name: "theta_i_deg", default: 0, minimum: 0, maximum: 90 },
-];
 const CATALOG = /** @type {any} */ ({
   parameters: PARAMETERS,
   models: [],

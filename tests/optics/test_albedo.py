@@ -50,16 +50,6 @@ def test_golden_flatland(row: dict[str, float]) -> None:
     assert relative_error(found, row["unpolarized"]) < ACHIEVED
 
 
-@pytest.mark.parametrize("row", POINTS, ids=lambda row: f"{row['n_i']}-{row['n_t']}-{row['k_t']}")
-def test_anywhere_against_35_digits(row: dict[str, float]) -> None:
-    interface = Interface(row["n_i"], row["n_t"], row["k_t"])
-    found = albedo(interface)
-    assert relative_error(found.s, row["s"]) < RELATIVE
-    assert relative_error(found.p, row["p"]) < RELATIVE
-    assert relative_error(found.unpolarized, row["unpolarized"]) < RELATIVE
-    assert relative_error(flatland_albedo(interface), row["flatland"]) < FLATLAND_RELATIVE
-
-
 @pytest.mark.parametrize("row", POINTS[::60], ids=str)
 def test_the_points_are_what_35_digits_give(row: dict[str, float]) -> None:
     expected = asdict(reference.albedo(row["n_i"], row["n_t"], row["k_t"]))

@@ -71,10 +71,3 @@ def test_dielectrics(model: Model, n: float) -> None:
 def test_conductors(model: Model, n: float, k: float) -> None:
     R = model(Interface(n_t=n, k_t=k), Incidence.from_radians(THETA_I))
     assert np.all(np.abs(R - CONDUCTOR[n, k]) <= PRINTED)
-
-
-@pytest.mark.parametrize("n", [n for n in DIELECTRIC if n < 1.0])
-def test_only_total_reflection_was_lost(n: float) -> None:
-    """The cells typed as 1 are exactly those beyond the critical angle."""
-    beyond = np.sin(THETA_I) > n
-    assert np.array_equal(np.array(DIELECTRIC[n]) == 1.0, beyond)
