@@ -3,7 +3,7 @@
 import csv
 import io
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -54,16 +54,6 @@ def error_of(answer: httpx.Response, status: int = 422) -> dict[str, Any]:
     assert answer.headers["content-type"] == "application/problem+json"
     (error,) = answer.json()["errors"]
     return dict(error)
-
-
-def targets(queries: Mapping[str, str]) -> list[str]:
-    """Paths with each of their queries, between which are spaces."""
-    return [f"{path}?{query}" for path, told in queries.items() for query in told.split()]
-
-
-def last_name(target: str) -> str:
-    """The parameter that a query names last: the one at fault, in tables of refusals."""
-    return re.split("[?&]", target)[-1].partition("=")[0]
 
 
 @cache

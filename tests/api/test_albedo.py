@@ -5,7 +5,7 @@ import pytest
 
 from app.optics.albedo import FITS, albedo, coat_split, flatland_albedo
 from app.optics.interface import Interface
-from tests.api.shape import Ask, error_of, json_of, last_name, rows_of, targets
+from tests.api.shape import Ask, json_of, rows_of
 
 
 def test_every_fit_stands_beside_the_exact_value(ask: Ask) -> None:
@@ -228,24 +228,3 @@ def test_coat(ask: Ask) -> None:
     assert ray["internal"] == answer["internal"]
     (row,) = rows_of(ask("/albedo/coat", n_t=1.5, body_albedo=0.8, format="csv"))
     assert float(row["body"]) == answer["body"]
-
-
-REFUSED = {
-    "/albedo": "n_t=0 k_t=-1 n_t=nan foo=1 models=shlick models=, lut_1d.size=8",
-    "/albedo/sweep": (
-        "over=n_i n_t=2 over=eta&n_t=2 over=k_t&k_t=2 material=gold over=k_t&material=gold "
-        "maximum=3&minimum=3 minimum=0 maximum=101 over=eta&n_i=2&maximum=51 "
-        "over=k_t&scale=log&minimum=0 steps=1000000000 steps=1 maximum=inf "
-        "fits=schlick,schlick fits=deon_2019"
-    ),
-    "/albedo/map": (
-        "k_steps=1000&n_steps=1000 n_minimum=4 k_minimum=9 fit=nothing show=error "
-        "fit=dunkle_1963_s&quantity=p"
-    ),
-    "/albedo/coat": "k_t=1 body_albedo=1.1 theta_i_deg=91",
-}
-
-
-@pytest.mark.parametrize("target", targets(REFUSED))
-def test_the_parameter_named_last_is_refused(ask: Ask, target: str) -> None:
-    assert error_of(ask(target))["parameter"] == last_name(target)

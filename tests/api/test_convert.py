@@ -6,7 +6,7 @@ import httpx
 import pytest
 
 from app.optics.color import decode_srgb
-from tests.api.shape import Ask, error_of, json_of, last_name, rows_of, targets
+from tests.api.shape import Ask, json_of, rows_of
 
 
 @pytest.fixture
@@ -95,23 +95,3 @@ def test_as_csv(get: Ask) -> None:
     assert [row["red"], row["green"], row["blue"]] == ["1.0", "0.5", "0.0"]
     (code,) = [row for row in triple if row["name"] == "hex"]
     assert code["value"] == "#ffbc00"
-
-
-REFUSED = {
-    "/convert": (
-        "from=fzero from=f0&F0=1.5 from=f0&F0=nan from=f0&F0=0.1,0.2 from=f0&F0=0.5&n_t=1.5 "
-        "from=ior&n_t=1.5&k_t=2.0 from=ior&n_t=1.5&F0=0.04 from=ior&material=Au "
-        "from=f0&F0=0.5&material=Au from=f0_srgb&hex=%2312 "
-        "from=f0_srgb&F0_srgb=0.5&hex=%23123456 from=specular&specular=1.01 seen_from=0 to=f0"
-    )
-}
-
-
-@pytest.mark.parametrize("target", targets(REFUSED))
-def test_the_parameter_named_last_is_refused(ask: Ask, target: str) -> None:
-    assert error_of(ask(target))["parameter"] == last_name(target)
-
-
-@pytest.mark.parametrize(("query", "name"), [("from=f0", "F0"), ("from=rg&r=0.5", "g")])
-def test_what_a_form_needs_is_named(ask: Ask, query: str, name: str) -> None:
-    assert error_of(ask(f"/convert?{query}"))["parameter"] == name

@@ -6,7 +6,7 @@ import pytest
 from app.optics.interface import Interface
 from app.optics.metrics import METRICS, measure
 from app.optics.registry import default_registry
-from tests.api.shape import Ask, error_of, json_of, last_name, rows_of, targets
+from tests.api.shape import Ask, json_of, rows_of
 
 REGISTRY = default_registry()
 TRAPS = [model.id for model in REGISTRY.values() if "(trap)" in model.title]
@@ -193,39 +193,3 @@ def test_traps_are_measured_and_marked(ask: Ask) -> None:
     rows = ask("/errors", models=",".join(TRAPS), n_t=1.5, k_t=2.0, samples=2).json()["errors"]
     assert len(rows) == len(TRAPS)
     assert not any(row["in_domain"] for row in rows)
-
-
-REFUSED = {
-    "/errors": (
-        "models=shlick models=schlick,schlick n_t=nan model=schlick "
-        "models=schlick&lazanyi2005.alpha=7.7 models=lazanyi2005&lazanyi2005.alpha=-1 "
-        "models=lut_1d&lut_1d.bits=10"
-    ),
-    "/errors/sweep": (
-        "over=n_i over=n_t&n_t=1.5 over=eta&n_t=1.5 over=k_t&k_t=1 material=Au "
-        "maximum=1&minimum=2 minimum=0 maximum=101 over=eta&n_i=50&maximum=3 steps=1 steps=20002 "
-        "model=shlick model=hoffman_f82&k_t=3&hoffman_f82.F0=1,1,1"
-    ),
-    "/errors/map": (
-        "y_steps=500&x_steps=501 metric=rms x=n_t&y=k_t&metric=error metric=worst n_t=2 "
-        "x_maximum=91 y_maximum=3&y_minimum=3 material=Au"
-    ),
-}
-
-
-@pytest.mark.parametrize("target", targets(REFUSED))
-def test_the_parameter_named_last_is_refused(ask: Ask, target: str) -> None:
-    assert error_of(ask(target))["parameter"] == last_name(target)
-
-
-@pytest.mark.parametrize(
-    ("target", "name"),
-    [
-        ("/errors/sweep?over=k_t&scale=log", "minimum"),
-        ("/errors/map?x=n_t", "y"),
-        ("/errors/map?x=eta", "y"),
-        ("/errors/map?x=n_t&y=k_t&model=lut_1d&lut_1d.size=4096", "steps"),
-    ],
-)
-def test_what_was_not_given_may_be_at_fault(ask: Ask, target: str, name: str) -> None:
-    assert error_of(ask(target))["parameter"] == name

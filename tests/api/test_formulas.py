@@ -8,7 +8,7 @@ import pytest
 from app.optics.albedo import FITS
 from app.optics.conversions import TITLES
 from app.optics.registry import default_registry
-from tests.api.shape import Ask, error_of, json_of, last_name, rows_of, targets
+from tests.api.shape import Ask, error_of, json_of, rows_of
 
 
 def listed(ask: Ask, **query: str) -> Any:
@@ -64,19 +64,6 @@ def test_an_unknown_formula_is_not_found(ask: Ask, path: str) -> None:
     error = error_of(ask(f"/formulas/model.schlik{path}"), 404)
     assert error["parameter"] == "formula_id"
     assert "model.schlick" in error["message"]
-
-
-REFUSED = {
-    "/formulas/angle.brewster/curve": "n_t=3",
-    "/formulas/albedo.deon_2019_log/curve": "k_t=1",
-    "/formulas/model.schlick/curve": "samples=1 samples=2002 n_t=0 n_t=nan theta=3",
-    "/formulas": "kind=theorem",
-}
-
-
-@pytest.mark.parametrize("target", targets(REFUSED))
-def test_the_parameter_named_last_is_refused(ask: Ask, target: str) -> None:
-    assert error_of(ask(target))["parameter"] == last_name(target)
 
 
 @pytest.mark.parametrize("n_i", [1e-3, 1.0, 100.0])

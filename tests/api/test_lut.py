@@ -15,7 +15,7 @@ from app.optics.albedo import albedo
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.registry import default_registry
-from tests.api.shape import Ask, error_of, json_of, last_name, targets
+from tests.api.shape import Ask, json_of
 
 Array = NDArray[np.float64]
 
@@ -221,29 +221,3 @@ def test_errors_of_values_that_no_integer_holds_are_null(ask: Ask) -> None:
     told = ask("/lut/errors", model="generalized_schlick", **{"generalized_schlick.a": 20}).json()
     assert told["max_abs"]["unorm8"][-1] is None
     assert told["max_abs"]["float"][-1] < 1e-5
-
-
-REFUSED = {
-    "/lut": (
-        "size=1 size=4097 size=many bits=12 format=png&bits=32 format=exr&bits=8 format=hdr "
-        "over=theta rows=4 minimum=1 over=n_t&rows=4 over=n_t&n_t=1.5 "
-        "over=n_t&maximum=2&minimum=3 over=n_t&maximum=200 over=n_t&model=schlick "
-        "over=mu,n_t&size=4096&rows=4096 over=mu,k_t&material=Au model=schlik "
-        "n_i=1.5&n_t=1&model=cos_form model=schlick&hoffman_f82.F0=0.5 "
-        "model=generalized_schlick&generalized_schlick.a=20&bits=8 channels=3 "
-        "material=Au&model=schlick&channels=3 channels=3&material=Au&wavelength_nm=600 "
-        "channels=3&material=Au&incident=water "
-        "channels=2 digits=4"
-    )
-}
-
-
-@pytest.mark.parametrize("target", targets(REFUSED))
-def test_the_parameter_named_last_is_refused(ask: Ask, target: str) -> None:
-    assert error_of(ask(target))["parameter"] == last_name(target)
-
-
-def test_integers_hold_no_red_above_1(ask: Ask) -> None:
-    """Gold leaves the gamut of sRGB."""
-    error = error_of(ask("/lut", channels=3, material="Au", format="png"))
-    assert error["parameter"] == "bits"

@@ -6,7 +6,7 @@ import pytest
 from app.answers.recommendation import WEIGHTS, recommendation, weighted
 from app.optics.interface import Interface
 from app.optics.registry import Cost, default_registry
-from tests.api.shape import Ask, error_of, json_of, last_name, rows_of, targets
+from tests.api.shape import Ask, json_of, rows_of
 
 REGISTRY = default_registry()
 GLASS = {"n_t": 1.5}
@@ -119,11 +119,3 @@ def test_as_csv(ask: Ask) -> None:
     assert rows["schlick"]["max_abs"] == "0.0357"
     assert "more than 0.02" in rows["schlick"]["reason"]
     assert rows["pharr_humphreys"]["max_abs"] == ""
-
-
-REFUSED = {"/recommend": "max_error=0 max_error=2 metric=max_abs_at_deg models=schlick n_t=inf"}
-
-
-@pytest.mark.parametrize("target", targets(REFUSED))
-def test_the_parameter_named_last_is_refused(ask: Ask, target: str) -> None:
-    assert error_of(ask(target))["parameter"] == last_name(target)

@@ -5,7 +5,7 @@ import pytest
 from app.optics.registry import default_registry
 from app.snippets.languages import LANGUAGES
 from app.snippets.snippet import reason_without
-from tests.api.shape import Ask, error_of, json_of, last_name, targets
+from tests.api.shape import Ask, error_of, json_of
 
 CLOSED = [m.id for m in default_registry().values() if reason_without(m) is None]
 OPEN = [m.id for m in default_registry().values() if reason_without(m) is not None]
@@ -53,17 +53,6 @@ def test_says_why_there_is_none(ask: Ask, model: str) -> None:
     error = error_of(ask(f"/shaders/{model}"), 404)
     assert error["parameter"] == "model_id"
     assert str(default_registry()[model].snippet) in error["message"]
-
-
-REFUSED = {
-    "/shaders/schlick": "language=metal channels=2 lang=glsl format=png",
-    "/shaders": "language=glsl",
-}
-
-
-@pytest.mark.parametrize("target", targets(REFUSED))
-def test_the_parameter_named_last_is_refused(ask: Ask, target: str) -> None:
-    assert error_of(ask(target))["parameter"] == last_name(target)
 
 
 def test_an_unknown_model_is_not_found(ask: Ask) -> None:
