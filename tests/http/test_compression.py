@@ -1,7 +1,9 @@
-"""What takes long to compress holds nobody up."""
+"""What takes long to compress holds nobody up, and the page's files are sent as they are."""
 
 import threading
+from pathlib import Path
 
+import brotli
 import pytest
 from fastapi import FastAPI
 
@@ -10,7 +12,8 @@ from app.page import files
 from app.settings import Settings
 from tests.api.raw import send
 
-VENDOR = Settings().static_dir / "vendor"
+STATIC = Settings().static_dir
+VENDOR = STATIC / "vendor"
 BUNDLE = next(VENDOR.rglob("plotly-cartesian.min.js")).relative_to(VENDOR).as_posix()
 
 
@@ -33,3 +36,16 @@ def test_it_is_done_in_a_thread(app: FastAPI, monkeypatch: pytest.MonkeyPatch, t
     assert answer.headers["content-encoding"] == "gzip"
     assert threads
     assert threads != [threading.current_thread().name]
+
+
+@pytest.mark.parametrize(
+    "path",
+    [STATIC / "js" / "main.js", STATIC / "css" / "base.css", *STATIC.rglob("plotly.css")],
+    ids=lambda path: path.name,
+)
+def test_scripts_and_styles_are_sent_as_they_are(app: FastAPI, path: Path) -> None:
+    target = "/" + path.relative_to(STATIC).as_posix()
+    assert send(app, target.encode()).body == path.read_bytes()
+    compressed = send(app, target.encode(), headers={"Accept-Encoding": "br"}).body
+    assert brotli.decompress(compressed) == path.read_bytes()
+    assert len(compressed) < path.stat().st_size / 3

@@ -102,17 +102,8 @@ def test_largest_error_against_a_dense_search(
 
 def test_schlicks_largest_errors() -> None:
     """The table of formulas.md."""
-    printed = {
-        1.1: 0.2105,
-        1.2: 0.1130,
-        1.33: 0.0599,
-        1.5: 0.0357,
-        1.8: 0.0345,
-        2.2: 0.0582,
-        2.42: 0.0757,
-        3.0: 0.1250,
-        4.0: 0.2009,
-    }
+    printed = {1.1: 0.2105, 1.2: 0.1130, 1.33: 0.0599, 1.5: 0.0357, 1.8: 0.0345}
+    printed |= {2.2: 0.0582, 2.42: 0.0757, 3.0: 0.1250, 4.0: 0.2009}
     found = measure(REGISTRY["schlick"], Interface(1.0, list(printed)))["max_abs"]
     assert [round(float(value), 4) for value in found] == list(printed.values())
 

@@ -17,17 +17,11 @@ from app.optics.errors import OutOfRange
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.registry import default_registry
+from tests.optics.test_models_approximations import METALS
 
 ANGLES_DEG = np.linspace(0.0, 90.0, 19)
 TOLERANCE = 1e-9
-INTERFACES = [
-    (1.0, 1.5, 0.0),
-    (1.0, 1.5, 5.0),
-    (1.0, 0.27, 2.9),
-    (1.0, 2.9, 3.0),
-    (1.333, 0.2, 3.4),
-    (1.5, 4.2, 0.9),
-]
+INTERFACES = [(1.0, 1.5, 0.0), *METALS]
 BELOW_ONE = [(1.5, 1.0, 0.0), (1.0, 0.5, 0.3), (1.0, 0.05, 0.4)]
 
 
