@@ -56,36 +56,15 @@ CHARTS = {
 }
 
 # n at the helium d line, 587.56 nm, to half a unit of the last digit.
-INDICES = {
-    "fused-silica": 1.4585,
-    "BK7": 1.5168,
-    "SF10": 1.7283,
-    "SF11": 1.7847,
-    "water": 1.3334,
-    "ice": 1.3098,
-    "diamond": 2.4175,
-    "sapphire-o": 1.7682,
-    "sapphire-e": 1.7601,
-    "PMMA": 1.4906,
-    "polycarbonate": 1.5848,
-    "cubic-zirconia": 2.1588,
-    "moissanite-o": 2.648,
-    "moissanite-e": 2.690,
-    "NaCl": 1.5442,
-    "CaF2": 1.4338,
-    "MgF2-o": 1.3777,
-    "MgF2-e": 1.3896,
-    "rutile-o": 2.614,
-    "rutile-e": 2.910,
-    "quartz-o": 1.5443,
-    "quartz-e": 1.5534,
-    "ethanol": 1.3608,
-    "glycerol": 1.4713,
-    "air": 1.00027717,
-    "CO2": 1.000449,
-    "He": 1.0000349,
-    "H2": 1.0001388,
-}
+TABLE_OF_N = (
+    "fused-silica 1.4585, BK7 1.5168, SF10 1.7283, SF11 1.7847, water 1.3334, ice 1.3098, "
+    "diamond 2.4175, sapphire-o 1.7682, sapphire-e 1.7601, PMMA 1.4906, polycarbonate 1.5848, "
+    "cubic-zirconia 2.1588, moissanite-o 2.648, moissanite-e 2.690, NaCl 1.5442, CaF2 1.4338, "
+    "MgF2-o 1.3777, MgF2-e 1.3896, rutile-o 2.614, rutile-e 2.910, quartz-o 1.5443, "
+    "quartz-e 1.5534, ethanol 1.3608, glycerol 1.4713, air 1.00027717, CO2 1.000449, "
+    "He 1.0000349, H2 1.0001388"
+)
+INDICES = {name: float(n) for name, n in map(str.split, TABLE_OF_N.split(", "))}
 
 # Luminance of F0 over the measurements of one material.
 SPREADS = {
