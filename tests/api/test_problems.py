@@ -113,6 +113,9 @@ MISSING = [
     *b"/models/nope /models/%00 /models/%ff /models/%2e%2e".split(),
     *b"/models/..%2f..%2f..%2fetc%2fpasswd /%2e%2e/%2e%2e/pyproject.toml".split(),
     *b"/../../pyproject.toml /..%5c..%5cpyproject.toml".split(),
+    *b"/materials/nothing /materials/..%2f..%2fetc%2fpasswd /materials/%00".split(),
+    *b"/materials/nothing/spectrum /materials/nothing/map".split(),
+    b"/materials/" + b"x" * 5000,
     b"/models/" + b"a" * 60_000,
     b"/" + b"a/" * 5_000,
 ]

@@ -118,6 +118,9 @@ NOT_GIVEN = {
     "/errors/map?x=eta": "y",
     "/errors/map?x=n_t&y=k_t&model=lut_1d&lut_1d.size=4096": "steps",
     "/lut?channels=3&material=Au&format=png": "bits",  # red above 1, which no integer holds
+    "/materials/water-shirley/spectrum": "material",
+    "/materials/water-shirley/map": "material",
+    "/materials/water-shirley/curves": "material",
     "/materials/Au/map?maximum_nm=24930": "wavelength_nm",
     "/materials/Au/spectrum?minimum_nm=500.01&maximum_nm=500.02": "step_nm",
 }
