@@ -4,13 +4,15 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 INSTALL := python -m pip install --quiet --disable-pip-version-check
+WORKERS ?= 2
+PYTEST := pytest --dist worksteal --numprocesses $(WORKERS)
 BROWSERS := chromium chromium-browser google-chrome-stable google-chrome
 
 # Recipes use the project's own tools first, whatever environment is activated.
 export PATH := $(CURDIR)/$(BIN):$(CURDIR)/node_modules/.bin:$(PATH)
 
 .NOTPARALLEL:
-.PHONY: help run test format lint types unit browser fuzz bench lock audit vendor readme pictures icons chromium glslang clean
+.PHONY: help run test format lint types unit browser fuzz bench lock audit vendor readme pictures icons chromium shell glslang clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -37,11 +39,11 @@ types: $(VENV)/test.stamp node_modules/stamp ## static types: Python, then JavaS
 
 unit: $(VENV)/test.stamp node_modules/stamp glslang ## every test that needs no browser
 	node --test tests/js/*.test.js
-	pytest tests --ignore tests/browser
+	$(PYTEST) tests --ignore tests/browser
 
 # In a pytest of its own: after Playwright's synchronous API no test in the process can use asyncio.run.
-browser: $(VENV)/test.stamp node_modules/stamp chromium ## the tests in Chromium
-	pytest tests/browser
+browser: $(VENV)/test.stamp node_modules/stamp shell chromium ## the tests in Chromium
+	$(PYTEST) tests/browser
 
 fuzz: $(VENV)/test.stamp ## send 100,000 generated requests and say what came back, in some 20 minutes
 	FUZZ_REQUESTS=100000 FUZZ_EXAMPLES=300 pytest tests/fuzz -s
@@ -97,6 +99,10 @@ node_modules/stamp: package-lock.json requirements-node.lock | $(BIN)/python
 # By apt where there is none of these and apt may be used; elsewhere what needs them skips, and fails in CI.
 chromium:
 	$(call apt,chromium,"$$CHROME_PATH" $(BROWSERS))
+
+# Chromium without windows opens a page at half the cost; where it is not to be had, Chromium does as well.
+shell:
+	$(call apt,chromium-headless-shell,"$$CHROME_PATH" chromium-headless-shell)
 
 glslang:
 	$(call apt,glslang-tools,glslangValidator)
