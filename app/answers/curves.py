@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.answers.answer import Gaps, Table, Values, answer
+from app.answers.answer import Gaps, Table, Values, answer, number_or_none
 from app.answers.interface import CONVENTION, InterfaceFacts
 from app.optics.amplitudes import amplitudes, phase_deg, power
 from app.optics.angles import LANDMARKS
@@ -61,6 +61,8 @@ class Curve:
     in_domain: bool
     reason: str | None
     """Why the interface is outside the model's domain."""
+    parameters: dict[str, float | None]
+    """Values of the model's parameters that the curve was made with, given or solved."""
 
 
 @answer
@@ -105,10 +107,11 @@ def curves(
     for chosen in models:
         model = chosen.model
         reason = model.reason_outside(interface)
+        arguments = chosen.arguments(interface)
         if model.id == "exact":
             quantities = list(_exact(interface, incidence, phase, refraction))
         else:
-            values = np.atleast_2d(model(interface, incidence, **chosen.given))
+            values = np.atleast_2d(model.evaluate(interface, incidence, arguments))
             names = COLORS if len(values) > 1 else ("R",)
             quantities = list(zip(names, map(np.ascontiguousarray, values), strict=True))
         found += [
@@ -118,8 +121,9 @@ def curves(
                 values=values,
                 in_domain=reason is None,
                 reason=reason,
+                parameters={name: of_channel(v, channel) for name, v in arguments.items()},
             )
-            for quantity, values in quantities
+            for channel, (quantity, values) in enumerate(quantities)
         ]
     return Curves(
         interface=InterfaceFacts.of(interface),
@@ -142,6 +146,11 @@ def sampled_incidence(interface: Interface, samples: int, landmarks: bool) -> In
 @lru_cache(maxsize=8)  # a reader's page asks for the same angles again and again
 def _equally_spaced(samples: int) -> Incidence:
     return Incidence.from_degrees(np.linspace(0.0, 90.0, samples))
+
+
+def of_channel(values: Array, channel: int) -> float | None:
+    """Value of one channel out of one number or three; None where it is undefined."""
+    return number_or_none(values.ravel()[channel if values.size > 1 else 0])
 
 
 def _exact(

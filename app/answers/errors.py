@@ -7,14 +7,13 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field
 
-from app.answers.answer import Gaps, Table, Values, answer, number_or_none
-from app.answers.curves import COLORS, Chosen, sampled_incidence
+from app.answers.answer import Gaps, Table, Values, answer
+from app.answers.curves import COLORS, Chosen, of_channel, sampled_incidence
 from app.answers.interface import CONVENTION, InterfaceFacts
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.metrics import DESCRIPTIONS as SAYS
 from app.optics.metrics import METRICS, Metric, measure, point_error
-from app.optics.parameters import Array
 
 MEASURE = (
     "error = R of the model - R of exact; rms over the solid angle of the hemisphere; "
@@ -154,12 +153,8 @@ def _model_errors(
         curves["relative_error"] = point_error(model, interface, incidence, arguments, "relative")
     kind = ModelErrors if relative else ModelError
     for channel, quantity in enumerate(COLORS if metrics["rms"].ndim > 0 else ("R",)):
-
-        def of(values: Array, channel: int = channel) -> float | None:
-            return number_or_none(values.ravel()[channel if values.size > 1 else 0])
-
         measured: dict[str, Any] = {
-            **figures({name: of(values) for name, values in metrics.items()}),
+            **figures({n: of_channel(values, channel) for n, values in metrics.items()}),
             **{
                 name: np.ascontiguousarray(np.atleast_2d(curve)[channel])
                 for name, curve in curves.items()
@@ -171,7 +166,7 @@ def _model_errors(
             quantity=quantity,
             in_domain=reason is None,
             reason=reason,
-            parameters={name: of(value) for name, value in arguments.items()},
+            parameters={n: of_channel(value, channel) for n, value in arguments.items()},
             **measured,
         )
 

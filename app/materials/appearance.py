@@ -5,7 +5,7 @@ and the color is the integral of that. A material whose k is not known counts as
 every result that holds an end value or such a k says so in its warnings.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -15,8 +15,10 @@ from app.materials.spectrum import Spectrum
 from app.optics.amplitudes import reflectance
 from app.optics.color import (
     Adaptation,
+    Gamut,
     Illuminant,
     Observer,
+    apply_gamut,
     linear_srgb,
     luminance,
     srgb_weights,
@@ -25,7 +27,7 @@ from app.optics.errors import OutOfRange
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, Array
-from app.optics.specular import F82, tint_at_82
+from app.optics.specular import F82, MU_BAR, polynomial, tint_at_82
 
 ANGLES_AT_ONCE = 256
 """Angles whose 471 wavelengths are in memory together."""
@@ -58,6 +60,18 @@ class Appearance:
     def F82_tint(self) -> Array:
         """F82 over Schlick's value there, per channel: what the F82-tint model takes."""
         return tint_at_82(self.F0, self.F82)
+
+    def within(self, gamut: Gamut) -> "Appearance":
+        """The same look with F0 brought into the gamut, and F82 along with it.
+
+        The tint is how much darker the edge is than Schlick's, and a policy for what a screen can
+        show does not change it; only an F82 that would leave 0 to 1 is cut.
+        """
+        if gamut == "unclamped":
+            return self
+        F0 = apply_gamut(self.F0, gamut)
+        F82 = np.clip(self.F82_tint * polynomial(F0, MU_BAR), 0.0, 1.0)
+        return replace(self, F0=F0, F82=F82)
 
 
 def interface(spectrum: Spectrum, wavelength_nm: ArrayLike, n_i: ArrayLike = 1.0) -> Interface:

@@ -346,12 +346,8 @@ def _f82(known: Known) -> list[Conversion]:
         why = "right at 0 and 82 degrees; n and k are not recovered from the two"
     pair = Conversion("f82", {"F0": known.F0, "F82": at_82}, status, why)
     if tint > 1.0 + 1e-12:
-        excess = f"R at 82 degrees exceeds Schlick's: the tint would have to be {tint:.4g}"
-        return [
-            pair,
-            Conversion("f82_tint", {"F0": known.F0, "tint": None}, "infeasible", excess),
-        ]
-    return [pair, Conversion("f82_tint", {"F0": known.F0, "tint": min(tint, 1.0)}, status, why)]
+        why += "; R at 82 degrees exceeds Schlick's, and renderers that end at 1 cut the tint"
+    return [pair, Conversion("f82_tint", {"F0": known.F0, "tint": tint}, status, why)]
 
 
 def _seen_from(known: Known, other: float) -> Conversion:

@@ -49,7 +49,8 @@ def hemisphere(interface: Interface, rule: Rule, kinks: Array | None = None) -> 
     rule
         Used in each interval.
     kinks
-        Cosines, one-dimensional, where intervals have to end besides.
+        Cosines where intervals have to end besides: one-dimensional for all boundaries, or of the
+        interface's shape with one more axis.
 
     Returns
     -------
@@ -59,8 +60,8 @@ def hemisphere(interface: Interface, rule: Rule, kinks: Array | None = None) -> 
     branch = branch_cosine(interface)
     inside = (branch > _MARGIN) & (branch < 1.0 - _MARGIN)
     split = np.where(inside, branch, _SPLIT)[..., np.newaxis]
-    fixed = np.concatenate([[0.0, 1.0], [] if kinks is None else kinks])
-    parts = [np.broadcast_to(fixed, (*branch.shape, fixed.size)), split]
+    fixed = [np.array([0.0, 1.0])] if kinks is None else [np.array([0.0, 1.0]), kinks]
+    parts = [*(np.broadcast_to(f, (*branch.shape, f.shape[-1])) for f in fixed), split]
     edges = np.sort(np.concatenate(parts, axis=-1), axis=-1)
     low, width = edges[..., :-1, np.newaxis], np.diff(edges, axis=-1)[..., np.newaxis]
     x, w = np.concatenate([[0.0], rule.x]), np.concatenate([[0.0], rule.w])

@@ -171,8 +171,8 @@ def measure(
     """
     values = model.arguments(interface) if arguments is None else arguments
     kinks = None if model.kinks is None else model.kinks(**values)
-    rule = quality.rule if kinks is None else quality.kinked_rule
-    nodes = (2 if kinks is None else kinks.size + 2) * (rule.x.size + 1) + 1
+    rule = quality.rule if kinks is None or kinks.ndim > 1 else quality.kinked_rule
+    nodes = (2 if kinks is None else kinks.shape[-1] + 2) * (rule.x.size + 1) + 1
     media = (interface.n_i, interface.n_t, interface.k_t)
     shape = np.broadcast_shapes(*(a.shape for a in (*media, *values.values())))
     total = int(np.prod(shape, dtype=np.int64))
@@ -188,9 +188,14 @@ def measure(
         },
         quality.reference,
     )
-    gentle = np.zeros(total, dtype=bool)
-    if quality.gentle_rule is not None and kinks is None:
+    gentle, own = np.zeros(total, dtype=bool), None
+    if kinks is not None and kinks.ndim > 1:
+        own = np.broadcast_to(kinks, (*(shape or (1,)), kinks.shape[-1]))
+        own = own.reshape(total, -1)
+    if quality.gentle_rule is not None and (kinks is None or own is not None):
         gentle = bends_gently(curves.interface)[:, 0]
+        if own is not None:
+            gentle &= np.isnan(own).all(axis=1)
         same = whole(quality.gentle_rule)
     result: dict[Metric, Array] = {name: np.empty(total) for name in wanted}
     # A cheap form loses its digits where R is small, near N = n_i, which only relative errors show.
@@ -198,7 +203,8 @@ def measure(
     sharp = replace(curves, reference=reflectance) if relative else curves
     for rows in _blocks(np.flatnonzero(~gentle), nodes):
         part = sharp.part(rows)
-        split = hemisphere(part.interface, rule, kinks)
+        ends = kinks if own is None else _somewhere(own[rows])[:, np.newaxis]
+        split = hemisphere(part.interface, rule, ends)
         flat = Nodes(split.mu[:, 0], split.w[:, 0])
         for name, column in _metrics(part, flat, quality, wanted).items():
             result[name][rows] = column
@@ -206,6 +212,12 @@ def measure(
         for name, column in _metrics(curves.part(rows), same, quality, wanted).items():
             result[name][rows] = column
     return {name: column.reshape(shape) for name, column in result.items()}
+
+
+def _somewhere(kinks: Array) -> Array:
+    """Put an end that is as good as any in the place of kinks that a curve does not have."""
+    any_other = np.linspace(0.5, 0.75, kinks.shape[-1])
+    return np.where(np.isnan(kinks), any_other, kinks)
 
 
 def _blocks(rows: NDArray[np.intp], values_per_row: int) -> Iterator[NDArray[np.intp]]:

@@ -98,9 +98,10 @@ class Model:
     limits: Callable[[Interface], str | None] = field(default=lambda _: None)
     """Returns why an interface lies outside the domain, or None inside; asked after
     `applies_to`."""
-    kinks: Callable[..., Array] | None = None
+    kinks: Callable[..., Array | None] | None = None
     """`kinks(**parameters)` returns the cosines where the function is not smooth for reasons of its
-    own, as at the texels of a table, so that integrals can be split there."""
+    own, as at the texels of a table, so that integrals can be split there: one axis for all curves, or
+    a few last ones for each, NaN where a curve has fewer; None where there are none."""
     trap: bool = False
     """Whether it is kept to show a mistake; its title ends in "(trap)"."""
     measured: tuple[Measured, ...] = ()

@@ -8,7 +8,7 @@ from app.optics.amplitudes import reflectance
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface, worked_out_once
 from app.optics.numerics.choice import anywhere
-from app.optics.parameters import RGB, UNLESS_GIVEN, Array, Number, share
+from app.optics.parameters import RGB, UNLESS_GIVEN, Array, Condition, Number, share
 
 MU_BAR = 1.0 / 7.0
 """Cosine at which F82 is taken, about 81.8 degrees (Hoffman 2019; Kutz et al. 2021)."""
@@ -21,7 +21,8 @@ F0_PARAMETER = share(
 F82_PARAMETER = share(
     "F82",
     r"F_{82}",
-    f"Reflectance at cos(theta_i) = 1/7, about 82 degrees, linear; {UNLESS_GIVEN}.{RGB}",
+    f"Reflectance at cos(theta_i) = 1/7, about 82 degrees, linear; {UNLESS_GIVEN}, and Schlick's "
+    f"where an F0 is given that is not the interface's.{RGB}",
     triple=True,
 )
 
@@ -66,9 +67,12 @@ def dip(mu: Array) -> Array:
     return np.asarray(mu * (g2 * g2 * g2))
 
 
-def from_interface(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
-    """F0 and F82 of the interface, for models whose parameters they are."""
-    return {"F0": interface.F0, "F82": F82(interface)}
+def is_own(interface: Interface, F0: Array | None) -> Condition:
+    """Where an F0 is the interface's but for rounding; one that is not given is.
+
+    What else is known of the interface, as its F82, belongs to its own F0 and to no other.
+    """
+    return F0 is None or np.isclose(F0, interface.F0, rtol=1e-9, atol=0.0)
 
 
 def only_F0(interface: Interface, **_: Array | None) -> Mapping[str, Array]:

@@ -194,6 +194,17 @@ def test_parameters_of_a_model(ask: Ask) -> None:
     assert same == default
 
 
+def test_the_parameters_of_a_curve_are_told(ask: Ask) -> None:
+    ends = {"generalized_schlick.F0": 0.02, "generalized_schlick.F90": "0.5,1,0.5"}
+    told = curves(ask, models="exact,generalized_schlick", samples=2, **ends)["curves"]
+    assert [c["parameters"] for c in told if c["model"] == "exact"] == [{}] * 4
+    *_, green, blue = told
+    assert green["parameters"] == {"F0": 0.02, "F90": 1.0, "exponent": 5.0, "a": 0.0}
+    assert blue["parameters"] == {"F0": 0.02, "F90": 0.5, "exponent": 5.0, "a": 0.0}
+    (solved,) = curves(ask, models="lazanyi2005", samples=2, k_t=5.0)["curves"]
+    assert round(solved["parameters"]["alpha"], 4) == 7.7054
+
+
 def test_a_triple_gives_three_curves(ask: Ask) -> None:
     gold = {"models": "hoffman_f82", "samples": 3, "hoffman_f82.F0": "1.0,0.766,0.336"}
     told = curves(ask, n_t=0.2, k_t=3.0, **gold)["curves"]

@@ -6,9 +6,10 @@ import pytest
 from app.materials.appearance import Viewing, appearance, averaged_interface, color_curve, interface
 from app.materials.catalog import Catalog
 from app.materials.errors import WavelengthOutOfRange
-from app.optics.color import WAVELENGTH_NM, luminance
+from app.optics.color import WAVELENGTH_NM, Gamut, luminance
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.registry import default_registry
 from app.optics.specular import MU_BAR, tint_at_82
 
 ROUNDING = 1e-12
@@ -128,3 +129,25 @@ def test_the_index_is_what_the_spectra_give(catalog: Catalog) -> None:
         bright = luminance(Interface(n_t=seen.n, k_t=seen.k).F0)
         assert look.luminance == bright
         assert seen.n.shape == WAVELENGTH_NM.shape
+
+
+@pytest.mark.parametrize("gamut", ["clamped", "scaled"])
+def test_a_gamut_policy_moves_F0_and_F82_together(catalog: Catalog, gamut: Gamut) -> None:
+    gold = appearance(catalog.spectrum("Au"))
+    shown = gold.within(gamut)
+    assert shown.F0[0] == 1.0
+    np.testing.assert_allclose(shown.F82_tint, [0.9698, 1.0088, 0.9823], rtol=0, atol=5e-5)
+    assert gold.within("unclamped") is gold
+    for preset in catalog.presets:
+        if preset.kind == "spectrum":
+            look = appearance(catalog.spectrum(preset.id)).within(gamut)
+            assert ((look.F82 >= 0.0) & (look.F82 <= 1.0)).all()
+
+
+def test_the_tint_of_every_metal_can_be_given_to_the_model(catalog: Catalog) -> None:
+    tint = next(p for p in default_registry()["f82_tint"].parameters if p.name == "tint")
+    tints = {p.id: p.color.F82_tint for p in catalog.presets if p.category in ("metal", "alloy")}
+    assert all(tint.admits(np.array(rgb)).all() for rgb in tints.values())
+    assert len(tints) == 71
+    assert sum(max(rgb) > 1.0 for rgb in tints.values()) == 14
+    assert max(tints["red-brass"]) == pytest.approx(1.056, abs=5e-4)

@@ -45,6 +45,19 @@ def test_albedo_of_every_model(model: Model) -> None:
             assert found == pytest.approx(float(albedo(interface).unpolarized), rel=1e-10)
 
 
+def test_albedo_of_a_curve_that_is_cut_at_zero() -> None:
+    model = default_registry()["f82_tint"]
+    for interface in (Interface(), Interface(1.0, 0.2, 3.0)):
+        # Both by mpmath in 30 digits, split where the curve meets 0.
+        cut = model_albedo(model, interface, F0=[0.1, 0.9, 0.3], tint=[0.0, 1.0, 0.0])
+        expected = [0.0782547322684958, 0.9 + 0.1 / 21.0, 0.247641533084732]
+        np.testing.assert_allclose(cut, expected, rtol=0.0, atol=1e-13)
+    faint = Interface(1.0, np.array([1.02, 1.5, 1.05]))
+    together = model_albedo(model, faint)
+    alone = [float(model_albedo(model, Interface(1.0, n))) for n in (1.02, 1.5, 1.05)]
+    np.testing.assert_allclose(together, alone, rtol=0.0, atol=1e-13)
+
+
 def test_a_model_takes_its_parameters() -> None:
     table = default_registry()["lut_1d"]
     glass = Interface(n_t=1.5)

@@ -170,7 +170,9 @@ def test_the_denser_side_cannot_be_told_from_F0() -> None:
     inside = all_of(know("ior", 1.5, n_t=1.0))
     assert inside["f0"].status == "lossy"
     assert inside["f82"].status == "exact"  # R = 1 at 82 degrees tells it
-    assert inside["f82_tint"].status == "infeasible"
+    tint = number(inside["f82_tint"], "tint")  # R = 1 over Schlick's of F0 = 0.04
+    assert tint == pytest.approx(1.0 / (0.04 + 0.96 * (6.0 / 7.0) ** 5), rel=1e-12)
+    assert "exceeds Schlick's" in inside["f82_tint"].why
     assert inside["dg"].values["G"] == 1.0
 
 

@@ -5,6 +5,8 @@ from collections.abc import Callable
 import mpmath as mp
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
@@ -230,7 +232,7 @@ def test_given_parameters_take_the_place_of_the_interface() -> None:
     hoffman_a = 17.6513846 * (0.9 - 0.8) + 8.16666667 * 0.1
     dip = mu * (1.0 - mu) ** 6
     schlick_curve = registry["schlick"](interface, incidence)
-    given: list[tuple[str, dict[str, float], Array]] = [
+    cases: list[tuple[str, dict[str, float], Array]] = [
         ("hoffman_f82", {"F0": 0.9, "F82": 0.8}, base - hoffman_a * dip),
         (
             "generalized_schlick",
@@ -240,7 +242,7 @@ def test_given_parameters_take_the_place_of_the_interface() -> None:
         ("lazanyi2005", {"alpha": 7.0, "a": 3.0}, schlick_curve - 3.0 * mu * (1.0 - mu) ** 7),
         ("f82_tint", {"F0": 0.9, "tint": 1.0}, base),
     ]
-    for model_id, parameters, expected in given:
+    for model_id, parameters, expected in cases:
         values = registry[model_id](interface, incidence, **parameters)
         np.testing.assert_allclose(values, expected, rtol=0.0, atol=TOLERANCE, err_msg=model_id)
 
@@ -290,11 +292,41 @@ def test_mirror_and_no_boundary_of_cook_and_torrance() -> None:
     np.testing.assert_array_equal(model(Interface(1.0, 1.0), incidence), 0.0)
 
 
+@pytest.mark.parametrize(
+    ("model_id", "own", "at_80_degrees"),
+    [
+        ("generalized_schlick", {"F0": 0.02, "F90": 0.5}, 0.20496),
+        ("generalized_schlick", {"F0": 0.5, "F90": 0.0}, 0.307338),
+        ("generalized_schlick", {"F90": 0.5}, 0.217249),
+        ("generalized_schlick", {"F0": 0.02}, 0.397617),
+        ("hoffman_f82", {"F0": 0.02}, 0.397617),
+        ("f82_tint", {"F0": 0.02}, 0.397617),
+    ],
+)
+def test_the_dip_of_the_interface_is_not_kept_for_ends_that_are_given(
+    model_id: str, own: dict[str, float], at_80_degrees: float
+) -> None:
+    model, incidence = default_registry()[model_id], Incidence.from_degrees(80.0)
+    for interface in (Interface(), Interface(1.0, 0.2, 3.0)):
+        if "F0" in own or interface.kind == "dielectric":
+            value = float(model(interface, incidence, **own))
+            assert value == pytest.approx(at_80_degrees, abs=6e-6)
+    three = {name: [value, value] for name, value in own.items()}
+    assert float(model(Interface(), incidence, **three)[1]) == pytest.approx(
+        at_80_degrees, abs=6e-6
+    )
+
+
+@given(st.floats(0.0, 1.0), st.floats(0.0, 1.0), st.floats(0.0, 1.0))
+def test_f82_tint_stays_within_what_can_be_reflected(F0: float, tint: float, mu: float) -> None:
+    model = default_registry()["f82_tint"]
+    assert 0.0 <= float(model(Interface(), Incidence.from_cosine(mu), F0=F0, tint=tint)) <= 1.0
+
+
 def test_where_the_curves_of_metals_turn_negative() -> None:
     """As their validity says; a tint of 1 and a white F0 keep R within 0 and 1."""
     registry, incidence = default_registry(), Incidence.from_degrees(np.linspace(0.0, 90.0, 901))
     metal = Interface(1.0, 1.5, 5.0)
-    assert np.any(registry["f82_tint"](metal, incidence, F0=0.05, tint=0.0) < 0.0)
     assert np.any(registry["hoffman_f82"](metal, incidence, F0=0.5, F82=0.0) < 0.0)
     white = registry["f82_tint"](
         metal, incidence, F0=1.0, tint=np.linspace(0, 1, 11)[:, np.newaxis]

@@ -15,13 +15,12 @@ from app.optics.color import (
     Gamut,
     Illuminant,
     Observer,
-    apply_gamut,
     linear_srgb,
     luminance,
 )
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.specular import F82, tint_at_82
+from app.optics.specular import F82
 
 
 @answer
@@ -185,13 +184,13 @@ def _constants(preset: Preset, wavelength_nm: float | None) -> Constants:
 
 
 def _display(color: Appearance, gamut: Gamut) -> Display:
-    F0, at_82 = apply_gamut(color.F0, gamut), apply_gamut(color.F82, gamut)
+    shown = color.within(gamut)
     return Display(
         gamut=gamut,
-        hex=hex_of(F0),
-        F0=F0,
-        F82=at_82,
-        F82_tint=tint_at_82(F0, at_82),
+        hex=hex_of(shown.F0),
+        F0=shown.F0,
+        F82=shown.F82,
+        F82_tint=shown.F82_tint,
         in_gamut=in_gamut(color.F0),
     )
 

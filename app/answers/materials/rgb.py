@@ -13,7 +13,7 @@ from app.answers.materials.about import Rgb
 from app.answers.materials.detail import Seen
 from app.materials.appearance import Viewing, appearance, averaged_interface, color_curve
 from app.materials.spectrum import Spectrum
-from app.optics.color import Gamut, apply_gamut
+from app.optics.color import Gamut
 from app.optics.hemisphere import hemisphere
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
@@ -21,7 +21,6 @@ from app.optics.metrics import cosine_weighted_mean, root_mean_square
 from app.optics.numerics.quadrature import Nodes, crowded_gauss_legendre
 from app.optics.parameters import Array
 from app.optics.registry import Model
-from app.optics.specular import tint_at_82
 
 
 @answer
@@ -114,8 +113,8 @@ def rgb_curves(
     at_nodes = Incidence.from_cosine(nodes.mu)
     truth_at_nodes = color_curve(spectrum, at_nodes, n_i, viewing).T
     color = appearance(spectrum, n_i, viewing)
-    F0, F82 = apply_gamut(color.F0, gamut), apply_gamut(color.F82, gamut)
-    colors = {"F0": F0, "F82": F82, "tint": tint_at_82(F0, F82)}
+    shown = color.within(gamut)
+    colors = {"F0": shown.F0, "F82": shown.F82, "tint": shown.F82_tint}
     averaged = averaged_interface(spectrum, n_i, viewing)
     curves = [
         RgbCurve(

@@ -287,8 +287,8 @@ FORMULAS = (
         symbols=(Symbol(r"\text{tint}", "F82 over what Schlick's polynomial has there"),),
         reference="P. Kutz, M. Hašan and D. Edmondson, Novel Aspects of the Adobe Standard Material "
         "(2021); OpenPBR Surface specification, metal",
-        validity="Interfaces whose R at 82 degrees does not exceed Schlick's, as that of metals; a tint "
-        "above 1 cannot be given.",
+        validity="Every interface. The tint is above 1 where R at 82 degrees exceeds Schlick's, as it "
+        "does for most dielectrics, and by up to 6 % for some metals; renderers that end at 1 cut it.",
         accuracy=(rounding(1e-14, "tint", "n from 0.05 to 10, k up to 10"),),
         at=Interface(1.0, 1.5, 3.0),
         takes=(K_T,),

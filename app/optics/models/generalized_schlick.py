@@ -15,7 +15,7 @@ from app.optics.models import (
     Parameter,
     share,
 )
-from app.optics.specular import DIP_SCALE, F0_PARAMETER, F82, MU_BAR, dip, no_critical_angle
+from app.optics.specular import DIP_SCALE, F0_PARAMETER, F82, MU_BAR, dip, is_own, no_critical_angle
 
 F90 = share(
     "F90",
@@ -34,8 +34,8 @@ A = Parameter(
     -50.0,
     50.0,
     "",
-    "Depth of the dip; 0 is none, and unless given it is what meets the interface's F82. Three "
-    "values are R, G and B.",
+    "Depth of the dip; 0 is none. Unless given it is what meets the interface's F82, or 0 where the "
+    "F0 or F90 given is not the interface's. Three values are R, G and B.",
     triple=True,
 )
 
@@ -58,7 +58,8 @@ def _solve(
 ) -> Mapping[str, Array]:
     normal = interface.F0 if F0 is None else F0
     at_82 = normal + (F90 - normal) * (1.0 - MU_BAR) ** exponent
-    return {"F0": normal, "a": np.asarray(DIP_SCALE * (at_82 - F82(interface)))}
+    own = (F90 == 1.0) & is_own(interface, F0)
+    return {"F0": normal, "a": np.where(own, DIP_SCALE * (at_82 - F82(interface)), 0.0)}
 
 
 MODEL = Model(
@@ -67,9 +68,9 @@ MODEL = Model(
     latex=r"R\approx F_0+(F_{90}-F_0)(1-\mu)^q-a\,\mu(1-\mu)^6",
     reference="N. Hoffman, Fresnel Equations Considered Harmful, Eurographics Workshop on Material "
     "Appearance Modeling (2019), doi:10.2312/mam.20191305; MaterialX, generalized_schlick_bsdf",
-    validity="With its defaults Hoffman's F82 for any interface seen from the thinner side. An "
-    "exponent other than 5, an F90 below 1 or a = 0 is an artist's choice; R may leave 0 to 1 for "
-    "extreme a.",
+    validity="With its defaults Hoffman's F82 for any interface seen from the thinner side. An F0, an "
+    "F90 below 1, an exponent other than 5 or an a that are given are an artist's choice; R may leave 0 "
+    "to 1 for extreme a.",
     cost=Cost(add=3, mul=6, pow=1),
     function=generalized_schlick,
     parameters=(F0_PARAMETER, F90, EXPONENT, A),

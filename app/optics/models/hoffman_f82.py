@@ -1,14 +1,18 @@
 """Hoffman's Schlick for metals, made to meet the reflectance at 82 degrees."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 from app.optics.specular import (
     DIP_SCALE,
     F0_PARAMETER,
+    F82,
     F82_PARAMETER,
+    MU_BAR,
     dip,
-    from_interface,
+    is_own,
     polynomial,
 )
 
@@ -18,6 +22,12 @@ def hoffman_f82(interface: Interface, incidence: Incidence, F0: Array, F82: Arra
     # 17.6513846 and 8.16666667 in print: 7 (7/6)^6 and 49/6.
     a = DIP_SCALE * (F0 - F82) + 49.0 / 6.0 * (1.0 - F0)
     return np.asarray(polynomial(F0, incidence.cos) - a * dip(incidence.cos))
+
+
+def _solve(interface: Interface, F0: Array | None, **_: Array | None) -> Mapping[str, Array]:
+    normal = interface.F0 if F0 is None else F0
+    at_82 = np.where(is_own(interface, F0), F82(interface), polynomial(normal, MU_BAR))
+    return {"F0": normal, "F82": at_82}
 
 
 MODEL = Model(
@@ -33,7 +43,7 @@ MODEL = Model(
     cost=Cost(add=3, mul=7),
     function=hoffman_f82,
     parameters=(F0_PARAMETER, F82_PARAMETER),
-    solve=from_interface,
+    solve=_solve,
     measured=(
         Measured(1, 0.27, 2.9, max_abs=0.00841, at_deg=68.8, rms=0.00486),
         Measured(1, 2.9, 3, max_abs=0.0177, at_deg=87.1, rms=0.00685),

@@ -45,7 +45,8 @@ FITS = (
         r"b=\frac{S(\bar\mu)-F_{82}}{\bar\mu(1-\bar\mu)^6},\quad \bar\mu=\tfrac17",
         reference="P. Kutz, M. Hašan and D. Edmondson, Novel Aspects of the Adobe Standard Material "
         "(2021); OpenPBR; in Blender Cycles",
-        note="Exact for the model f82_tint, and so for hoffman_f82, which is the same curve.",
+        note="Exact for the models f82_tint and hoffman_f82, which are the same curve, where that stays "
+        "above 0; f82_tint is cut at 0.",
         claims=(Claim(domain=METALS, measured=0.0125, at=(0.83, 1.7)),),
         function=_f82_tint,
     ),
