@@ -32,4 +32,5 @@ def test_answers_are_those_that_the_schema_promises(case: Case[Any]) -> None:
     excluded = [positive_data_acceptance]
     if case.path == "/api/v1/evaluate":  # which answers for each item, for wrong ones by an error
         excluded.append(negative_data_rejection)
-    case.call_and_validate(excluded_checks=excluded)
+    # A busy machine must not turn a slow answer into a failure.
+    case.call_and_validate(excluded_checks=excluded, timeout=60)
