@@ -7,7 +7,7 @@ from pathlib import Path
 from app.materials.errors import NoSpectrum, UnknownMaterial, WavelengthOutOfRange
 from app.materials.location import data_directory
 from app.materials.schema import Category, Database, Index, Preset, SpectrumFile
-from app.materials.search import matches, names, nearest
+from app.materials.search import matches, means_another, names, nearest
 from app.materials.spectrum import Spectrum
 from app.optics.errors import NotAllowed
 
@@ -34,7 +34,7 @@ class Spread:
 
 
 class Catalog:
-    """All presets, found by id, alias or name without regard to case.
+    """All presets, found by id, alias or name without regard to case, but for words of another's.
 
     Where several presets share an alias or a name, the first in the index has it: materials with a
     spectrum come before their rivals, and those before the single indices of the tables.
@@ -82,7 +82,10 @@ class Catalog:
 
     def find(self, id: str) -> Preset | None:  # noqa: A002
         """Return the preset of an id, else of an alias or name, or None."""
-        return self._by_id.get(id) or self._by_name.get(id.strip().casefold())
+        word = id.strip()
+        if means_another(word):
+            return None
+        return self._by_id.get(word) or self._by_name.get(word.casefold())
 
     def search(
         self, query: str | None = None, category: Category | None = None

@@ -11,6 +11,14 @@ SHORTEST_SOURCE_WORD = 4
 """Letters from which a query is looked up in references too: shorter ones match nearly all."""
 
 
+def means_another(text: str) -> bool:
+    """Whether a word names something that is no preset, though folded to one case it would be one.
+
+    Tin and carbon monoxide differ from titanium nitride and cobalt by the case of a letter.
+    """
+    return text == "CO" or (text != "TiN" and text.casefold() == "tin")
+
+
 def names(preset: Preset) -> tuple[str, ...]:
     """Everything that a material is called, folded to one case."""
     return tuple(name.casefold() for name in (preset.id, *preset.aliases, preset.name))

@@ -38,6 +38,56 @@ def test_ids_aliases_and_names_lead_there(catalog: Catalog, asked: str, found: s
     assert catalog.get(asked).id == found
 
 
+ELEMENTS = """
+hydrogen helium lithium beryllium boron carbon nitrogen oxygen fluorine neon sodium magnesium
+aluminium aluminum silicon phosphorus sulfur sulphur chlorine argon potassium calcium scandium
+titanium vanadium chromium manganese iron cobalt nickel copper zinc gallium germanium arsenic
+selenium bromine krypton rubidium strontium yttrium zirconium niobium molybdenum technetium
+ruthenium rhodium palladium silver cadmium indium tin antimony tellurium iodine xenon cesium
+caesium barium lanthanum cerium praseodymium neodymium promethium samarium europium gadolinium
+terbium dysprosium holmium erbium thulium ytterbium lutetium hafnium tantalum tungsten rhenium
+osmium iridium platinum gold mercury thallium lead bismuth polonium astatine radon francium radium
+actinium thorium protactinium uranium
+"""
+MATERIALS = """
+air alumina amber asphalt bone brick bronze butter cardboard cement ceramic chalk charcoal clay
+coal concrete cork cotton dirt fabric fat felt flint foam glass glue granite gravel grease gypsum
+hair honey ink ivory jade lacquer leather lime linen marble mica milk mud nylon oil opal paint
+paper pearl pewter pitch plaster plastic porcelain quartz resin rubber rust salt sand silica silk
+skin slate snow soap soil solder soot starch steam steel stone sugar tar teflon tile vinegar wax
+wood wool zinc ice water brass
+"""
+FORMULAS = """
+CO NO HF HI HBr SiO PbO PbS CaO CuO NiO ZnO SnO FeO MnO CoO BN AlN GaN InN SiN HCl CN OH NH PH TiO
+VO NaH
+"""
+
+
+@pytest.mark.parametrize("word", (ELEMENTS + MATERIALS).split())
+def test_a_word_for_a_material_answers_no_other(catalog: Catalog, word: str) -> None:
+    for spelled in (word, word.upper(), word.title()):
+        found = catalog.find(spelled)
+        called = () if found is None else (found.name, *found.aliases)
+        assert found is None or any(
+            word in name.casefold().split(",")[0].split() for name in called
+        )
+
+
+@pytest.mark.parametrize("formula", FORMULAS.split())
+def test_a_formula_answers_no_other(catalog: Catalog, formula: str) -> None:
+    found = catalog.find(formula)
+    assert found is None or formula in (found.id, *found.aliases)
+
+
+def test_tin_is_no_nitride(catalog: Catalog) -> None:
+    for word in ("tin", "TIN", "Tin", " tin "):
+        with pytest.raises(UnknownMaterial):
+            catalog.get(word)
+    assert catalog.get("TiN").id == catalog.get(" TiN").id == "TiN"
+    assert pytest.approx(0.586, abs=5e-4) == catalog.get("titanium nitride").F0
+    assert catalog.get("co").id == catalog.get("cobalt").id == "Co"
+
+
 TYPED = {"Au": "Aurumm arum golde goold", "Cu": "coper", "Al": "aluminnium"}
 TYPED |= {"diamond": "diamnod", "PMMA": "plexiglass", "sapphire-o": "saphire"}
 
