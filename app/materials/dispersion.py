@@ -29,7 +29,7 @@ def refractive_index(number: int, coefficients: Sequence[float], wavelength_um: 
     number
         1 to 9.
     coefficients
-        As many as the source gives; those that are missing are 0.
+        As many as the source gives: whole terms, of which the formula may have fewer than it could.
     wavelength_um
         Any shape.
 
@@ -41,15 +41,30 @@ def refractive_index(number: int, coefficients: Sequence[float], wavelength_um: 
     Raises
     ------
     NotAllowed
-        If there is no such formula.
+        If there is no such formula, or a term lacks a coefficient.
 
     References
     ----------
     .. [1] M. N. Polyanskiy, Sci. Data 11, 94 (2024), and its "Dispersion formulas".
     """
+    check_coefficients(number, coefficients)
+    return np.asarray(_FORMULAS[number](tuple(coefficients), wavelength_um))
+
+
+def check_coefficients(number: int, coefficients: Sequence[float]) -> None:
+    """Refuse coefficients that are no whole terms of a formula.
+
+    Raises
+    ------
+    NotAllowed
+        If there is no such formula, or a term lacks a coefficient.
+    """
     if number not in _FORMULAS:
         raise NotAllowed("number", number, "a dispersion formula, 1 to 9")
-    return np.asarray(_FORMULAS[number](tuple(coefficients), wavelength_um))
+    counts, words = _COUNTS.get(number, _IN_PAIRS)
+    if len(coefficients) not in counts:
+        what = f"{words} for formula {number}, and these are {len(coefficients)}"
+        raise NotAllowed("coefficients", list(coefficients), what)
 
 
 def _pairs(coefficients: Sequence[float], first: int = 1) -> list[tuple[float, float]]:
@@ -117,6 +132,16 @@ def _exotic(c: Sequence[float], wl: Array) -> Array:
     shift = wl - c5
     return np.sqrt(c1 + c2 / (wl * wl - c3) + c4 * shift / (shift * shift + c6))
 
+
+_MOST = 101
+_IN_PAIRS = (range(1, _MOST, 2), "an odd number")
+_COUNTS: dict[int, tuple[Sequence[int], str]] = {
+    4: ((1, 5, *range(9, _MOST, 2)), "1, 5, or an odd number from 9"),
+    7: (range(3, 7), "3 to 6"),
+    8: ((4,), "4"),
+    9: ((6,), "6"),
+}
+"""How many coefficients make whole terms; an odd number where nothing else is said."""
 
 _FORMULAS: dict[int, Callable[[Sequence[float], Array], Array]] = {
     1: _sellmeier,

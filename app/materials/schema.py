@@ -9,6 +9,8 @@ from typing import Annotated, Literal, Self
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 from pydantic.dataclasses import dataclass
 
+from app.materials.dispersion import check_coefficients
+
 Category = Literal[
     "vacuum",
     "gas",
@@ -199,6 +201,11 @@ class Formula:
     number: Annotated[int, Field(ge=1, le=9, description="Of refractiveindex.info's formulas.")]
     coefficients: tuple[float, ...]
     range_nm: Range
+
+    @model_validator(mode="after")
+    def _whole(self) -> Self:
+        check_coefficients(self.number, self.coefficients)
+        return self
 
 
 Quantity = Annotated[Points | Formula, Field(discriminator="kind")]

@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pydantic import ValidationError
 
 from app.materials.catalog import Catalog
 from app.materials.dispersion import refractive_index
 from app.materials.errors import WavelengthOutOfRange
 from app.materials.location import data_directory
-from app.materials.schema import SpectrumFile
+from app.materials.schema import Formula, SpectrumFile
 from app.materials.spectrum import Spectrum
 from app.optics.color import WAVELENGTH_NM
 from app.optics.errors import NotAllowed
@@ -121,6 +122,28 @@ def test_formulas_by_hand(
 ) -> None:
     n = refractive_index(number, coefficients, np.array([wavelength]))
     assert n == pytest.approx(expected, rel=1e-14)
+
+
+TOO_FEW = [(number, count) for number in (1, 2, 3, 5, 6) for count in (0, 2, 4, 16)]
+TOO_FEW += [(4, count) for count in (0, 2, 3, 4, 6, 7, 8, 10, 12)]
+TOO_FEW += [(7, 2), (7, 7), (8, 3), (8, 5), (9, 5), (9, 7)]
+
+
+@pytest.mark.parametrize(("number", "count"), TOO_FEW)
+def test_a_term_without_all_its_coefficients_is_refused(number: int, count: int) -> None:
+    with pytest.raises(NotAllowed, match=f"these are {count}"):
+        refractive_index(number, [1.0] * count, np.array([1.0]))
+    with pytest.raises(ValidationError, match="coefficients"):
+        Formula(kind="formula", number=number, coefficients=(1.0,) * count, range_nm=(1.0, 2.0))
+
+
+def test_the_last_coefficient_of_a_glass_counts(catalog: Catalog) -> None:
+    formula, at = catalog.spectrum("BK7").file.n, np.array([0.5876])
+    assert isinstance(formula, Formula)
+    n = refractive_index(formula.number, formula.coefficients, at)
+    assert n == pytest.approx(1.51680, abs=5e-6)
+    with pytest.raises(NotAllowed, match="odd number"):
+        refractive_index(formula.number, formula.coefficients[:-1], at)
 
 
 def test_there_is_no_tenth_formula() -> None:
