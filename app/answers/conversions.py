@@ -14,7 +14,7 @@ from app.optics.conversions import Conversion, Form, Status, convert, know
 
 CHANNELS = ("red", "green", "blue")
 
-_SEVERITY: tuple[Status, ...] = ("exact", "lossy", "infeasible")
+_SEVERITY: tuple[Status, ...] = ("exact", "dielectric only", "lossy", "infeasible")
 
 
 @answer

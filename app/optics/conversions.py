@@ -1,9 +1,10 @@
 """One interface in the words of optics, of artists and of engines, and what is lost in between.
 
 Each result carries a status. `exact`: the same information, converting back returns what was given.
-`lossy`: a right value from which what was given cannot be got back. `infeasible`: there is no such
-value, or what was given does not determine it. F0 alone is taken for that of a medium that does not
-absorb and is denser than the one in front; the results say where that matters.
+`dielectric only`: a right value if the second medium does not absorb and is denser than the one in
+front, which F0 alone does not tell; of a metal it is wrong. `lossy`: a right value from which what was
+given cannot be got back. `infeasible`: there is no such value, or what was given does not determine it.
+The engines' specular and reflectance are words for dielectrics, which they determine.
 
 All F0 are linear and seen from the incident medium n_i unless a name says otherwise.
 
@@ -41,12 +42,13 @@ from app.optics.interface import Interface, normal_reflectance
 from app.optics.parameters import K_T, N_I, N_T, Array, Parameter, share
 from app.optics.specular import F82, tint_at_82
 
-Status = Literal["exact", "lossy", "infeasible"]
+Status = Literal["exact", "dielectric only", "lossy", "infeasible"]
 Form = Literal["ior", "f0", "f0_srgb", "nk", "rg", "dg", "specular", "reflectance"]
 Value = float | str | None
 
 SPECULAR_F0 = 0.08
 REFLECTANCE_F0 = 0.16
+_LARGEST_CLEAR_INDEX = 6.4  # tellurium's in the infrared: nothing that is transparent has more
 _LARGEST_ETA = 1e5  # beyond it, F0 > 0.99996, there is nothing but a mirror
 
 
@@ -121,6 +123,8 @@ class Known:
     eta: float | None = None
     kappa: float | None = None
     """Relative index; None where F0 is all that is known."""
+    is_dielectric: bool = False
+    """Whether the form is a word for dielectrics alone."""
 
     @property
     def has_index(self) -> bool:
@@ -196,8 +200,10 @@ _READERS: dict[Form, Callable[..., Known]] = {
     "nk": _of_index,
     "f0": lambda n_i, F0: Known(n_i, float(F0)),
     "f0_srgb": lambda n_i, F0_srgb: Known(n_i, float(decode_srgb(F0_srgb))),
-    "specular": lambda n_i, specular: Known(n_i, SPECULAR_F0 * float(specular)),
-    "reflectance": lambda n_i, reflectance: Known(n_i, REFLECTANCE_F0 * float(reflectance) ** 2),
+    "specular": lambda n_i, specular: Known(n_i, SPECULAR_F0 * float(specular), is_dielectric=True),
+    "reflectance": lambda n_i, reflectance: Known(
+        n_i, REFLECTANCE_F0 * float(reflectance) ** 2, is_dielectric=True
+    ),
     "rg": lambda n_i, r, g: _of_tint(n_i, r, gulbrandsen_index(r, g)),
     "dg": lambda n_i, r, G: _of_tint(n_i, r, deon_index(r, G)),
 }
@@ -249,6 +255,23 @@ _ONE_OF_MANY = "F0 is one number and n, k are two: every index on a circle has t
 _IF_CLEAR = "if the second medium does not absorb and is the denser one"
 
 
+def _of_F0_alone(known: Known) -> tuple[Status, str]:
+    """What is said of a value that holds for the denser dielectric of an F0."""
+    if known.is_dielectric:
+        return "exact", _IF_CLEAR
+    return "dielectric only", _IF_CLEAR + "; of a metal F0 alone does not tell it" + _warning(known)
+
+
+def _warning(known: Known) -> str:
+    """Say where no dielectric has such an F0."""
+    n_t = known.dielectric_eta * known.n_i
+    if n_t <= _LARGEST_CLEAR_INDEX:
+        return ""
+    return (
+        f", and no medium without absorption has F0 = {known.F0:.4g}: it would need n_t = {n_t:.3g}"
+    )
+
+
 def _reflectance_status(known: Known) -> tuple[Status, str]:
     """Whether F0, and what is made of it alone, can be turned back."""
     if not known.has_index:
@@ -270,7 +293,7 @@ def _ior(known: Known) -> Conversion:
     if known.absorbs:
         why = "a dielectric of the same F0; k is lost, and with it every other angle"
         return Conversion("ior", values, "lossy", why)
-    return Conversion("ior", values, "exact", _IF_CLEAR)
+    return Conversion("ior", values, "exact", _IF_CLEAR + _warning(known))
 
 
 def _nk(known: Known) -> Conversion:
@@ -340,10 +363,13 @@ def _f82(known: Known) -> list[Conversion]:
         ]
     at_82 = float(F82(known.interface()))
     tint = float(tint_at_82(known.F0, at_82))
-    status: Status = "lossy" if known.absorbs else "exact"
-    why = "the two tell which side is the denser" if known.has_index else _IF_CLEAR
-    if known.absorbs:
-        why = "right at 0 and 82 degrees; n and k are not recovered from the two"
+    status: Status
+    if not known.has_index:
+        status, why = _of_F0_alone(known)
+    elif known.absorbs:
+        status, why = "lossy", "right at 0 and 82 degrees; n and k are not recovered from the two"
+    else:
+        status, why = "exact", "the two tell which side is the denser"
     pair = Conversion("f82", {"F0": known.F0, "F82": at_82}, status, why)
     if tint > 1.0 + 1e-12:
         why += "; R at 82 degrees exceeds Schlick's, and renderers that end at 1 cut the tint"
@@ -359,8 +385,8 @@ def _seen_from(known: Known, other: float) -> Conversion:
     F0 = float(normal_reflectance(other, n, k))
     status, why = _reflectance_status(known)
     if not known.has_index:
-        status = "exact" if n >= other else "lossy"
-        why = _IF_CLEAR + "; of a metal F0 alone does not tell it"
+        status, why = _of_F0_alone(known)
+        status = status if n >= other else "lossy"
     elif status == "exact" and n < other:
         status, why = "lossy", "right, but the denser medium has the same F0 from there"
     return Conversion("f0_seen_from", {"n_i": other, "F0": F0}, status, why)

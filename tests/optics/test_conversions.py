@@ -152,6 +152,18 @@ def test_the_index_is_not_in_F0() -> None:
     assert forms["rg"].values == {"r": 0.9, "g": None}
 
 
+def test_what_holds_of_a_dielectric_alone_says_so() -> None:
+    gold = [all_of(know("f0", F0=F0)) for F0 in (0.947, 0.776, 0.371)]
+    for form in ("f82", "f82_tint", "f0_seen_from"):
+        assert [forms[form].status for forms in gold] == ["dielectric only"] * 3
+        assert all("does not absorb" in forms[form].why for forms in gold)
+    impossible = ["no medium without absorption" in forms["f82_tint"].why for forms in gold]
+    assert impossible == ["no medium without absorption" in f["ior"].why for f in gold]
+    assert impossible == [True, True, False]
+    for form, given_ in (("specular", {"specular": 0.5}), ("ior", {"n_t": 1.5})):
+        assert all_of(know(form, **given_))["f82_tint"].status == "exact"  # type: ignore[arg-type]
+
+
 def test_gulbrandsen_needs_an_index_of_modulus_one() -> None:
     weak = all_of(know("nk", n_t=0.5, k_t=0.3))
     assert weak["rg"].status == "infeasible"
