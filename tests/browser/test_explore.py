@@ -375,6 +375,7 @@ def test_numbers_are_copied_in_full(quiet_page: Page) -> None:
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     opened(page)
     expect(page.locator(".amplitudes")).not_to_have_attribute("data-stale", "")
+    expect(page.locator("#said")).to_contain_text("At 64")  # which would speak over what is copied
     number(page, "R").click()
     copied = page.evaluate("() => navigator.clipboard.readText()")
     assert re.fullmatch(r"0\.11300\d{10,}", copied)
