@@ -115,6 +115,8 @@ class Model:
     """Of an exact form, which differs from the others by rounding alone: the largest errors
     relative to R at the whole degrees from 0 to 89 at each of `ROUNDED_AT`, rounded up to a
     power of ten, which a test measures against 50-digit arithmetic."""
+    leaves_0_to_1: bool = False
+    """Whether values that its own parameters may have take R below 0 or above 1."""
     symbols: tuple[Symbol, ...] = ()
     """Letters of `latex` that neither the common glossary nor the parameters explain."""
 

@@ -110,7 +110,8 @@ def write(model: Model, language: Language, channels: int = 1) -> str:
 
 
 def _told(model: Model) -> Iterator[str]:
-    yield f"{model.title}: reflectance of unpolarized light, 0 to 1"
+    but = " but for extreme arguments" if model.leaves_0_to_1 else ""
+    yield f"{model.title}: reflectance of unpolarized light, 0 to 1{but}"
     yield f"Source: {model.reference}"
     yield f"Domain ({', '.join(model.applies_to)}): {model.validity}"
     if model.kind == "exact":

@@ -68,6 +68,14 @@ def test_a_color_of_a_picture(get: Ask) -> None:
     assert answer.json()["given"]["hex"] == "#ffd700"
 
 
+def test_what_gold_does_not_share_with_a_dielectric(get: Ask) -> None:
+    found = results(get(from_="f0", F0="0.947,0.776,0.371"))
+    for form in ("f82", "f82_tint", "f0_seen_from"):
+        assert found[form]["status"] == "dielectric only"
+    assert found["f82_tint"]["values"]["tint"] == pytest.approx([0.862, 0.633, 0.700], abs=5e-4)
+    assert "it would need n_t = 15.8" in found["f82_tint"]["why"]
+
+
 def test_three_channels_of_gulbrandsen(get: Ask) -> None:
     found = results(get(from_="rg", r="0.98,0.77,0.34", g=0.5))
     assert len(found["nk"]["values"]["n_t"]) == 3

@@ -32,6 +32,28 @@ def executed(model: Model) -> Any:
     return names[model.id]
 
 
+@over_models
+def test_says_where_it_leaves_0_to_1(model: Model) -> None:
+    rng, mu = np.random.default_rng(7), Incidence.from_cosine(np.linspace(0.0, 1.0, 41))
+    largest = 0.0
+    for _ in range(300):
+        k_t = rng.uniform(0.01, 8.0) if "conductor" in model.applies_to else 0.0
+        interface = Interface(rng.uniform(0.5, 2.0), 10.0 ** rng.uniform(-1.0, 1.0), k_t)
+        given = {
+            p.name: rng.choice([p.minimum, min(p.maximum, 50.0), rng.uniform(p.minimum, 1.0)])
+            for p in model.parameters
+            if rng.random() < 0.6 and p.minimum < 1.0
+        }
+        if model.reason_outside(interface) is None:
+            R = model(interface, mu, **given)
+            largest = max(largest, float(np.nanmax(np.maximum(R - 1.0, -R), initial=0.0)))
+    assert (largest > 1e-3) == model.leaves_0_to_1
+    assert largest < 1e-12 or model.leaves_0_to_1
+    for language in LANGUAGES.values():
+        told = " ".join(write(model, language).split())
+        assert ("0 to 1 but for extreme arguments" in told) == model.leaves_0_to_1
+
+
 def test_only_what_says_why_has_none() -> None:
     without = {m.id: reason_without(m) for m in default_registry().values() if m not in MODELS}
     assert set(without) == {"complex_form", "complex_dielectric", "lut_1d"}

@@ -92,6 +92,7 @@ MODEL = Model(
     function=f82_tint,
     parameters=(F0_PARAMETER, TINT),
     solve=_solve,
+    leaves_0_to_1=True,
     kinks=_kinks,
     measured=(
         Measured(1, 0.27, 2.9, max_abs=0.00841, at_deg=68.8, rms=0.00486),

@@ -75,6 +75,7 @@ MODEL = Model(
     function=generalized_schlick,
     parameters=(F0_PARAMETER, F90, EXPONENT, A),
     solve=_solve,
+    leaves_0_to_1=True,
     limits=no_critical_angle,
     measured=(
         Measured(1, 1.5, 0, max_abs=0.0276, at_deg=67.6, rms=0.0157),

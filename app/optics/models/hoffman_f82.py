@@ -44,6 +44,7 @@ MODEL = Model(
     function=hoffman_f82,
     parameters=(F0_PARAMETER, F82_PARAMETER),
     solve=_solve,
+    leaves_0_to_1=True,
     measured=(
         Measured(1, 0.27, 2.9, max_abs=0.00841, at_deg=68.8, rms=0.00486),
         Measured(1, 2.9, 3, max_abs=0.0177, at_deg=87.1, rms=0.00685),

@@ -123,6 +123,7 @@ MODEL = Model(
     function=lazanyi2005,
     parameters=(A, ALPHA),
     solve=_solve,
+    leaves_0_to_1=True,
     limits=_outside,
     measured=(
         Measured(1, 0.27, 2.9, max_abs=0.0148, at_deg=85.5, rms=0.0064),
