@@ -88,7 +88,7 @@ MODEL = Model(
     validity="Metals; the same curve as Hoffman's F82 when the tint is taken from it. A low tint "
     "beside a low F0 would take R below 0, where it is cut as the specification has it. Some metals "
     "have a tint above 1; beside a high F0 it takes R above 1.",
-    cost=Cost(add=4, mul=7),
+    cost=Cost(add=3, mul=7),
     function=f82_tint,
     parameters=(F0_PARAMETER, TINT),
     solve=_solve,
