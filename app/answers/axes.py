@@ -13,6 +13,7 @@ import numpy as np
 from app.answers.answer import Values, answer
 from app.optics.errors import NotAllowed, OutOfRange
 from app.optics.interface import Interface
+from app.optics.meant import instead
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, Array
 
 Scale = Literal["linear", "log"]
@@ -81,7 +82,8 @@ class Axis:
         )
         for end, value in (("minimum", first), ("maximum", last)):
             if not low <= value <= high:
-                raise OutOfRange(prefix + end, value, f"from {low:g} to {high:g} for {name}")
+                allowed = instead(name, value) or f"from {low:g} to {high:g} for {name}"
+                raise OutOfRange(prefix + end, value, allowed)
         if first >= last:
             raise NotAllowed(prefix + "minimum", first, f"below {prefix}maximum, {last:g}")
         if scale == "linear":

@@ -4,10 +4,10 @@ from typing import Annotated, Any
 
 from fastapi import APIRouter, Query
 from pydantic import BeforeValidator, Field, WithJsonSchema
-from pydantic_core import PydanticCustomError
 
 from app.answers.answer import Table
 from app.answers.conversions import Conversions, conversions, table
+from app.api.model_parameters import one_or_three
 from app.api.params import InterfaceQuery, number
 from app.http.problems import BadParameters, ParameterError
 from app.http.query import Number, TableQuery, plain
@@ -26,19 +26,17 @@ from app.optics.edge_tint import EDGE_TINT, REFLECTANCE, TINT_ANGLE
 from app.optics.parameters import Parameter
 
 
-def _numbers(text: object) -> object:
-    """Split three comma-separated numbers."""
-    if not isinstance(text, str):
-        return text
-    parts = tuple(plain(part) for part in text.split(","))
-    if len(parts) not in (1, 3):
-        raise PydanticCustomError("numbers", "one number, or three separated by commas")
-    return parts[0] if len(parts) == 1 else parts
+def _without_underscores(text: object) -> object:
+    """Refuse numbers that Python alone would read."""
+    for part in str(text).split(","):
+        plain(part)
+    return text
 
 
 OneOrThree = Annotated[
-    float | tuple[float, float, float] | None,
-    BeforeValidator(_numbers),
+    Any,
+    BeforeValidator(one_or_three),
+    BeforeValidator(_without_underscores),  # the last is the first to be asked
     WithJsonSchema({"type": "string", "examples": ["0.04", "1.0,0.766,0.336"]}),
 ]
 

@@ -190,7 +190,7 @@ def _field(model: Model, parameter: Parameter) -> tuple[Any, Any]:
             "unit": parameter.unit,
             "symbol": parameter.symbol,
         }
-        kind: Any = Annotated[Any, BeforeValidator(_one_or_three), WithJsonSchema(schema)]
+        kind: Any = Annotated[Any, BeforeValidator(one_or_three), WithJsonSchema(schema)]
         return kind, Field(
             parameter.default,
             alias=alias,
@@ -200,7 +200,7 @@ def _field(model: Model, parameter: Parameter) -> tuple[Any, Any]:
     return Count if parameter.integer else Number, number(parameter, alias=alias)
 
 
-def _one_or_three(text: object) -> object:
+def one_or_three(text: object) -> object:
     """Read one number, or three separated by commas."""
     try:
         numbers = [_NUMBER.validate_python(part) for part in str(text).split(",")]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from app.batch.rows import NAMES, THREE, Fault, Names, Rows, number_columns
+from app.optics.meant import in_our_unit
 from app.optics.parameters import Array
 from app.optics.registry import Registry
 
@@ -36,14 +37,15 @@ def rows_of(batch: pa.RecordBatch, registry: Registry) -> Rows:
     import pyarrow.compute as pc
 
     known = number_columns(registry)
+    every = [*known, *NAMES]
     numbers: dict[str, Array] = {}
     names: dict[str, Names] = {}
     faults: dict[int, Fault] = {}
     for name in batch.schema.names:
         if name not in known and name not in NAMES:
-            nearest = get_close_matches(name, [*known, *NAMES], n=3)
-            hint = f"nearest: {', '.join(nearest)}" if nearest else f"known: {', '.join(known)}"
-            raise WrongColumn(name, f"unknown column; {hint}")
+            nearest = get_close_matches(name, every, n=3)
+            hint = f"nearest: {', '.join(nearest)}" if nearest else f"known: {', '.join(every)}"
+            raise WrongColumn(name, f"unknown column; {in_our_unit(name, known) or hint}")
         if batch.schema.names.count(name) > 1:
             raise WrongColumn(name, "there twice")
         column = batch.column(name)

@@ -131,7 +131,9 @@ class _Task:
         fine = parameter.admits(values) | np.isnan(values)
         if fine.all():
             return which
-        self.refuse(which[~fine], name, values[~fine].tolist(), parameter.allowed)
+        wrong = values[~fine]
+        for row, value in zip(which[~fine].tolist(), wrong.tolist(), strict=True):
+            self.outcome.faults[row] = Fault(name, value, parameter.instead_of(value))
         return which[fine]
 
     def _numbers(self, name: str, parameter: Parameter, which: Index) -> Array | float:

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +21,7 @@ from app.materials.media import (
 )
 from app.materials.schema import Preset
 from app.optics.errors import OpticsError
+from app.optics.meant import in_nm
 from app.optics.parameters import K_T, N_I, N_T, WAVELENGTH_NM, Array
 
 
@@ -157,13 +159,19 @@ class _Task:
         for alike in _known_alike(preset, wavelength_nm):
             unknown = alike & np.isnan(n)
             if unknown.any():
-                parameter, why = _why_unknown(preset, float(wavelength_nm[unknown][0]))
-                refuse(unknown, parameter, why, n)
+                first = float(wavelength_nm[unknown][0])
+                parameter, why = _why_unknown(preset, first)
+                same = why.removesuffix(in_nm(first))
+                refuse(unknown, parameter, partial(_with_unit, same), wavelength_nm)
         for quantity, values, bounds in (("n", n, N_T), ("k", k, K_T)):
             beyond = (values < bounds.minimum) | (values > bounds.maximum)
             refuse(beyond, WAVELENGTH_NM.name, within(bounds, quantity, preset), values)
         if _SIDES[side].is_transparent:
             refuse(k >= NEGLIGIBLE_K, side, transparent, k)
+
+
+def _with_unit(same: str, wavelength_nm: float) -> str:
+    return same + in_nm(wavelength_nm)
 
 
 def _nearest(name: str) -> str:
@@ -173,10 +181,19 @@ def _nearest(name: str) -> str:
 def _known_alike(preset: Preset, wavelength_nm: Array) -> Iterator[NDArray[np.bool_]]:
     """Part wavelengths at which a preset is not known by the reason why."""
     if preset.kind == "spectrum":
-        low, high = default_catalog().spectrum(preset.id).n_range_nm
-        only_k = (wavelength_nm >= low) & (wavelength_nm <= high)
-        yield only_k
-        yield ~only_k
+        catalog = default_catalog()
+        ranges = [catalog.spectrum(preset.id).n_range_nm]
+        ranges += [
+            catalog.spectrum(rival.id).range_nm
+            for rival in catalog.rivals(preset.id)
+            if rival.kind == "spectrum"
+        ]
+        pattern = np.zeros(wavelength_nm.shape, np.intp)
+        for bit, (low, high) in enumerate(ranges):
+            within = (wavelength_nm >= low) & (wavelength_nm <= high)
+            pattern |= within.astype(np.intp) << bit
+        for bits in np.unique(pattern):
+            yield pattern == bits
     else:
         yield np.ones(wavelength_nm.shape, np.bool_)
 

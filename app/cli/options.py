@@ -21,11 +21,13 @@ _PICTURES = ("html", "json", "svg", "png", "pdf")
 
 
 def _range(info: FieldInfo) -> str:
-    low = next(
-        (m.ge if isinstance(m, Ge) else m.gt for m in info.metadata if isinstance(m, Ge | Gt)), None
-    )
+    low = next((m for m in info.metadata if isinstance(m, Ge | Gt)), None)
     high = next((m.le for m in info.metadata if isinstance(m, Le)), None)
-    return f" From {low:g} to {high:g}." if low is not None and high is not None else ""
+    if low is None or high is None:
+        return ""
+    if isinstance(low, Gt):
+        return f" Above {low.gt:g}, up to {high:g}."
+    return f" From {low.ge:g} to {high:g}."
 
 
 def _default(info: FieldInfo) -> str:

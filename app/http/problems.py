@@ -14,6 +14,7 @@ from starlette.exceptions import HTTPException
 from starlette.responses import Response
 
 from app.optics.errors import OpticsError
+from app.optics.meant import in_our_unit
 from app.server.pool import Overloaded
 
 MEDIA_TYPE = "application/problem+json"
@@ -119,6 +120,8 @@ def unknown_parameter(name: str, value: object, known: Sequence[str]) -> Paramet
     if not known:
         return {"parameter": name, "value": value, "message": "this route takes no parameters"}
     nearest = get_close_matches(name, known, n=3, cutoff=0.5)
+    if converted := in_our_unit(name, known, value):
+        return {"parameter": name, "value": value, "message": f"unknown parameter; {converted}"}
     hint = f"nearest: {', '.join(nearest)}" if nearest else f"known: {', '.join(known)}"
     return {"parameter": name, "value": value, "message": f"unknown parameter; {hint}"}
 

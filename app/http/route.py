@@ -22,6 +22,7 @@ from app.http.problems import MOST_ERRORS, BadParameters, ParameterError, unknow
 from app.http.query import QueryModel
 from app.http.serving import Serving
 from app.http.writing import write
+from app.optics.meant import instead
 
 _NOT_MODIFIED = {"description": "The client has the answer: If-None-Match names its ETag."}
 _CSV_AS_WELL = {"content": {"text/csv": {"schema": {"type": "string"}}}}
@@ -183,7 +184,8 @@ def explain(error: ValidationError, fields: Mapping[str, FieldInfo]) -> list[Par
         {
             "parameter": str(e["loc"][0]),
             "value": e["input"],
-            "message": e["msg"] + _range(fields[str(e["loc"][0])]),
+            "message": instead(str(e["loc"][0]), e["input"])
+            or e["msg"] + _range(fields[str(e["loc"][0])]),
         }
         for e in error.errors(include_url=False, include_context=False)
     ]

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from app.materials.errors import NoSpectrum, UnknownMaterial, WavelengthOutOfRange
@@ -113,7 +114,8 @@ class Catalog:
             raise NoSpectrum(preset.id)
         if preset.id not in self._spectra:
             text = (self._directory / f"{preset.id}.json").read_bytes()
-            self._spectra[preset.id] = Spectrum(SpectrumFile.model_validate_json(text))
+            file = SpectrumFile.model_validate_json(text)
+            self._spectra[preset.id] = Spectrum(file, partial(self.rivals_at, preset.id))
         return self._spectra[preset.id]
 
     def constants(self, id: str, wavelength_nm: float | None = None) -> Constants:  # noqa: A002
@@ -153,6 +155,12 @@ class Catalog:
             for other in self.presets
             if other.id != preset.id and family in (other.id, other.rival_of)
         )
+
+    def rivals_at(self, id: str, wavelength_nm: float) -> tuple[str, ...]:  # noqa: A002
+        """Return the ids of the other measured spectra that are known at a wavelength."""
+        spectra = [self.spectrum(rival.id) for rival in self.rivals(id) if rival.kind == "spectrum"]
+        ranges = {spectrum.id: spectrum.range_nm for spectrum in spectra}
+        return tuple(i for i, (low, high) in ranges.items() if low <= wavelength_nm <= high)
 
     def spread(self, id: str) -> Spread:  # noqa: A002
         """Return how far the measurements of a material lie apart, itself included."""

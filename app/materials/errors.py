@@ -1,6 +1,9 @@
 """What the materials raise: errors that name the parameter, the value and what is allowed."""
 
+from collections.abc import Sequence
+
 from app.optics.errors import NotAllowed, OpticsError, OutOfRange, UnknownName
+from app.optics.meant import in_nm
 
 
 class UnknownMaterial(UnknownName):
@@ -35,15 +38,25 @@ class WavelengthOutOfRange(OutOfRange):
         The wavelength asked for, in nanometers.
     minimum, maximum
         The valid range, inclusive, in nanometers.
+    elsewhere
+        Ids of other measurements that are known at the wavelength.
     """
 
     def __init__(
-        self, material: str, quantity: str, value: float, minimum: float, maximum: float
+        self,
+        material: str,
+        quantity: str,
+        value: float,
+        minimum: float,
+        maximum: float,
+        elsewhere: Sequence[str] = (),
     ) -> None:
         span = f"{minimum:.10g}" if minimum == maximum else f"{minimum:.10g} to {maximum:.10g}"
-        super().__init__(
-            "wavelength_nm", value, f"{span} nm, where {quantity} of {material} is known"
-        )
+        allowed = f"{span} nm, where {quantity} of {material} is known"
+        if elsewhere:
+            known = "is known" if len(elsewhere) == 1 else "are known"
+            allowed += f"; {' and '.join(elsewhere)} {known} there"
+        super().__init__("wavelength_nm", value, allowed + in_nm(value))
         self.material = material
         self.quantity = quantity
         self.minimum = minimum

@@ -1,5 +1,6 @@
 """Which materials a word means, and which it may have meant."""
 
+import re
 from collections.abc import Iterable
 from difflib import get_close_matches
 
@@ -9,6 +10,7 @@ LEAST_LIKENESS = 0.6
 """Ratio of common letters (difflib) under which a name is no suggestion."""
 SHORTEST_SOURCE_WORD = 4
 """Letters from which a query is looked up in references too: shorter ones match nearly all."""
+_WORD = re.compile(r"[^\s,()]+")
 
 
 def means_another(text: str) -> bool:
@@ -40,15 +42,23 @@ def matches(presets: Iterable[Preset], query: str) -> list[Preset]:
 
 
 def nearest(presets: Iterable[Preset], query: str, count: int = 5) -> tuple[str, ...]:
-    """Ids of the materials whose names resemble a query most, best first."""
+    """Ids of the materials that a query names a part or the kind of, else those that resemble it."""
     wanted = query.casefold().strip()
+    ordered = sorted(presets, key=lambda preset: preset.rival_of is not None)
+    meant = [p for p in ordered if wanted == p.category or _has_word(p, wanted)]
+    if meant:
+        return tuple(preset.id for preset in meant[:count])
     owners: dict[str, str] = {}
-    for preset in sorted(presets, key=lambda preset: preset.rival_of is not None):
+    for preset in ordered:
         for name in names(preset):
             for word in (name, *name.replace(",", " ").split()):
                 owners.setdefault(word, preset.id)
     close = get_close_matches(wanted, owners, n=4 * count, cutoff=LEAST_LIKENESS)
     return tuple(dict.fromkeys(owners[word] for word in close))[:count]
+
+
+def _has_word(preset: Preset, wanted: str) -> bool:
+    return any(wanted in _WORD.findall(name) for name in names(preset))
 
 
 def _rank(preset: Preset, wanted: str) -> int | None:

@@ -1,6 +1,6 @@
 """n and k of one material as functions of the wavelength, only where its source gives them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -40,6 +40,8 @@ class Spectrum:
     ----------
     file
         What `spectra/<id>.json` holds, provenance included.
+    elsewhere
+        Finds the ids of other measurements that are known at a wavelength, for messages.
 
     Attributes
     ----------
@@ -49,9 +51,12 @@ class Spectrum:
         The same for k, or None where the source gives no k.
     """
 
-    def __init__(self, file: SpectrumFile) -> None:
+    def __init__(
+        self, file: SpectrumFile, elsewhere: Callable[[float], Sequence[str]] = lambda _: ()
+    ) -> None:
         self.file = file
         self.id = file.id
+        self._elsewhere = elsewhere
         self.n_range_nm = _range(file.n)
         self.k_range_nm = None if file.k is None else _range(file.k)
         self._n = _curve(file.n)
@@ -151,7 +156,8 @@ class Spectrum:
     def _check(self, quantity: str, wavelengths: Array, span: tuple[float, float]) -> None:
         inside = (wavelengths >= span[0]) & (wavelengths <= span[1])  # NaN compares false
         if not inside.all():
-            raise WavelengthOutOfRange(self.id, quantity, wavelengths[~inside].flat[0], *span)
+            value = float(wavelengths[~inside].flat[0])
+            raise WavelengthOutOfRange(self.id, quantity, value, *span, self._elsewhere(value))
 
 
 def _or_nan(

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from app.optics.errors import OutOfRange
+from app.optics.meant import instead
 
 Array = NDArray[np.float64]
 
@@ -72,11 +73,16 @@ class Parameter:
                 raise TypeError
             array = np.asarray(given, dtype=np.float64)
         except (TypeError, ValueError):
-            raise OutOfRange(self.name, value, self.allowed) from None
+            raise OutOfRange(self.name, value, self.instead_of(value)) from None
         inside = self.admits(array)
         if not inside.all():
-            raise OutOfRange(self.name, array[~inside].flat[0], self.allowed)
+            wrong = array[~inside].flat[0]
+            raise OutOfRange(self.name, wrong, self.instead_of(wrong))
         return array
+
+    def instead_of(self, value: object) -> str:
+        """Say what to give in place of a value that is refused."""
+        return instead(self.name, value) or self.allowed
 
     def admits(self, array: Array) -> NDArray[np.bool_]:
         """Which elements are within the bounds, whole and among the choices as declared."""

@@ -9,6 +9,7 @@ from app.answers.answer import SentAs, answer
 from app.answers.axes import MOST_CELLS
 from app.materials.errors import WavelengthOutOfRange
 from app.materials.front import Front
+from app.materials.media import default_catalog
 from app.materials.schema import Axis, Category, Channels, Confidence, Preset, Sample
 from app.optics.errors import NotAllowed
 from app.optics.parameters import Array
@@ -76,10 +77,12 @@ def range_within(
     NotAllowed
         If they are in the wrong order.
     """
+    catalog = default_catalog()
     low, high = (d if end is None else end for end, d in zip(asked, default, strict=True))
     for name, value in (("minimum_nm", low), ("maximum_nm", high)):
         if not known[0] <= value <= known[1]:
-            error = WavelengthOutOfRange(material, "n", value, *known)
+            elsewhere = catalog.rivals_at(material, value) if catalog.find(material) else ()
+            error = WavelengthOutOfRange(material, "n", value, *known, elsewhere)
             error.parameter = name
             raise error
     if low > high:

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from app.api.evaluate.pieces import MOST_VALUES, Piece, TooManyValues
 from app.batch.rows import NAMES, THREE, Fault, Hints, Index, Names, Rows, number_columns
 from app.http.problems import BadParameters, unknown_parameter
+from app.optics.meant import instead
 from app.optics.parameters import THETA_I_DEG, Array
 from app.optics.registry import Registry
 
@@ -159,7 +160,7 @@ class ItemReader:
         unknown, place = _UNKNOWN.search(text), _PLACE.search(text)
         name = unknown[1] if unknown else place[1] if place and place[1] else "items"
         value = given.get(name) if isinstance(given, dict) else given
-        message = text.partition(" - at ")[0]
+        message = instead(name, value) or text.partition(" - at ")[0]
         if isinstance(value, dict | list):
             if name in self._columns and self._columns[name].triple:
                 message += f"; {THREE}"

@@ -305,6 +305,7 @@ export function createRow({
 
   /** How what is typed is read, fetched when somebody comes to write. */
   const reading = () => import("../numbers/expression.js");
+  const meaning = () => import("../numbers/meant.js");
 
   async function commit() {
     const given = box.value;
@@ -332,7 +333,10 @@ export function createRow({
       if (typed !== asked && !isBound) {
         const printed = write.print(asked);
         const said = printed === bound ? text : printed;
-        complain(`${parameter.name} = ${said} is outside ${write.allowed()}`);
+        const meant = (await meaning()).instead(parameter.name, asked);
+        complain(
+          `${parameter.name} = ${said}${meant ? `: ${meant}` : ` is outside ${write.allowed()}`}`,
+        );
         return;
       }
       complain("");
@@ -345,7 +349,9 @@ export function createRow({
       show();
     } catch (problem) {
       if (!(problem instanceof expression.ExpressionError)) throw problem;
-      complain(`${parameter.name} = “${given}”: ${problem.message}. Allowed: ${write.allowed()}`);
+      const meant = (await meaning()).instead(parameter.name, text);
+      const why = meant ?? `${problem.message}. Allowed: ${write.allowed()}`;
+      complain(`${parameter.name} = “${given}”: ${why}`);
     }
   }
 

@@ -1,7 +1,7 @@
 /** The wavelength of the light, shown where a named medium's indices vary with it. */
 
 import { isDispersive, knownRange, WAVELENGTH } from "../media/media.js";
-import { stretch } from "../media/wavelength.js";
+import { inMicrometers, stretch } from "../media/wavelength.js";
 import { clamp, plain } from "../numbers/format.js";
 import { h, setText } from "../page/dom.js";
 import { createRow } from "./panel.js";
@@ -43,9 +43,15 @@ export function createWavelength({ materials, actions, prefix = "" }) {
       if (!range) return;
       row.update(wavelength_nm);
       const known = range[0] <= range[1] ? `known ${stretch(range)}` : "not known of both media";
+      const asked = inMicrometers(wavelength_nm);
       const outside =
         wavelength_nm !== null && (wavelength_nm < range[0] || wavelength_nm > range[1]);
-      setText(wrong, outside ? `λ = ${plain(wavelength_nm, 8)}\u00a0nm: ${known}.` : "");
+      setText(
+        wrong,
+        outside
+          ? `λ = ${plain(wavelength_nm, 8)}\u00a0nm: ${known}${asked ? `; ${asked}` : "."}`
+          : "",
+      );
       const own = [material, incident]
         .map((id) => materials.find((m) => m.id === id))
         .find(isDispersive);

@@ -89,3 +89,13 @@ export function stretch([low, high]) {
   const [number = "", unit] = a.split("\u00a0");
   return unit === b.split("\u00a0")[1] ? `${number}–${b}` : `${a} – ${b}`;
 }
+
+/** A wavelength below this, in nm, is most likely one in µm, as the server holds too. */
+const SHORTEST_NM = 10;
+
+/** @param {number | null} nm @returns {string} the question whether it was meant in µm, else nothing */
+export function inMicrometers(nm) {
+  return nm !== null && nm > 0 && nm < SHORTEST_NM
+    ? `in nm: did you mean ${plain(1000 * nm, 10)}?`
+    : "";
+}
