@@ -15,6 +15,7 @@ import pyarrow.parquet
 from app.batch.arrow import WrongColumn, rows_of
 from app.batch.evaluation import evaluate
 from app.batch.rows import NAMES, number_columns
+from app.optics.parameters import N_T, WAVELENGTH_NM
 from app.optics.registry import default_registry
 
 if TYPE_CHECKING:
@@ -111,6 +112,9 @@ def evaluated(batch: pa.RecordBatch, keep: Sequence[str] = ()) -> pa.RecordBatch
         If it has a column that is neither known nor to be kept.
     """
     asked = [name for name in batch.schema.names if name not in keep]
+    if N_T.name in asked and not {"material", "incident"}.intersection(asked):
+        # A table of n and k over the wavelength: nothing in it is looked up there.
+        asked = [name for name in asked if name != WAVELENGTH_NM.name]
     outcome = evaluate(rows_of(batch.select(asked), default_registry()), default_registry())
     errors = pa.nulls(batch.num_rows, pa.string())
     if outcome.faults:

@@ -63,6 +63,23 @@ def test_values_and_errors_are_added(rows: Path, suffix: str) -> None:
     assert table["error"].to_pylist()[3].startswith("n_t = -3.0: ")
 
 
+def test_a_table_of_n_and_k_over_the_wavelength_is_evaluated(tmp_path: Path) -> None:
+    path = tmp_path / "gold.csv"
+    path.write_text("wavelength_nm,n_t,k_t\n550,0.4,2.4\n600,0.25,3\n")
+    assert run(path)[0] == 0
+    table = read(path.with_name("gold-evaluated.csv"))
+    expected = [float(fresnel(1.0, n, k, 0.0).R) for n, k in ((0.4, 2.4), (0.25, 3.0))]
+    assert table["value"].to_pylist() == pytest.approx(expected, rel=1e-12)
+
+
+def test_an_unknown_column_is_told_every_known_one(tmp_path: Path) -> None:
+    path = tmp_path / "rows.csv"
+    path.write_text("zzzzzz\n1\n")
+    printed = run(path)[1]
+    for name in ("n_t", "wavelength_nm", "model", "quantity", "material", "incident"):
+        assert re.search(rf"\b{name}\b", printed), name
+
+
 @pytest.mark.parametrize("suffix", [".csv", ".parquet"])
 def test_presets_in_columns(tmp_path: Path, suffix: str) -> None:
     table = pa.table(
