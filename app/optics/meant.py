@@ -10,6 +10,7 @@ SHORTEST_NM = 10.0
 
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?"
 _PERCENT = re.compile(rf"\s*(-?{_NUMBER})\s*%\s*", re.IGNORECASE)
+_LONGEST = 100  # letters that are looked into: the patterns take time as its square
 _NO_GAIN = "N = n + i k with k >= 0"
 
 UNITS = {
@@ -33,6 +34,8 @@ def instead(name: str, given: object) -> str | None:
     given
         A number, a complex number or text.
     """
+    if isinstance(given, str) and len(given) > _LONGEST:
+        return None
     number = _number(given)
     if name.startswith("k_") and number is not None and number < 0.0:
         return f"{_NO_GAIN}; for n - i k give {-number:.15g}"

@@ -1,5 +1,7 @@
 """What is refused is answered by what was meant: another sign, unit, spelling or measurement."""
 
+import time
+
 import numpy as np
 import pytest
 from fastapi import FastAPI
@@ -13,6 +15,7 @@ from app.materials.errors import WavelengthOutOfRange
 from app.materials.media import default_catalog
 from app.optics.errors import OutOfRange
 from app.optics.interface import Interface
+from app.optics.meant import instead
 from app.optics.registry import default_registry
 from tests.api.shape import Ask, error_of
 from tests.api.test_evaluate import poster, results
@@ -134,6 +137,14 @@ def test_a_percentage_is_told_its_number(
 def test_what_is_no_color_is_one_error_without_words_of_python(ask: Ask, text: str) -> None:
     told = ask("/convert", **{"from": "f0", "F0": text}).json()["errors"]
     assert [error["message"] for error in told] == ["one number, or three separated by commas"]
+
+
+@pytest.mark.parametrize("letter", ["1", " ", "1,", "1%,", "-", "j"])
+@pytest.mark.parametrize("name", ["n_t", "k_t", "F0"])
+def test_what_a_long_text_may_mean_takes_no_time(name: str, letter: str) -> None:
+    started = time.process_time()
+    assert instead(name, f"1{letter * 65_000}x") is None
+    assert time.process_time() - started < 0.1
 
 
 @pytest.fixture(scope="module")
