@@ -51,7 +51,6 @@ REFUSED: list[ArrayLike] = [
     [[1.0], [1e400]],
     "glass",
     "",
-    1.5 + 0.1j,
     [1.5 + 0.0j],
     [[1.0, 2.0], [3.0]],
     None,  # type: ignore[list-item]
@@ -65,6 +64,13 @@ def test_what_is_no_number_in_bounds_is_refused(value: ArrayLike) -> None:
     assert caught.value.parameter == "n_t"
     assert caught.value.allowed == "a finite number from 0.001 to 100"
     assert "n_t" in str(caught.value)
+
+
+def test_a_complex_index_is_told_apart_into_its_parts() -> None:
+    with pytest.raises(OutOfRange) as caught:
+        N_T.check(1.5 + 0.1j)
+    assert caught.value.parameter == "n_t"
+    assert "n_t = 1.5 and k_t = 0.1" in caught.value.allowed
 
 
 def test_the_error_shows_the_first_offending_element() -> None:
