@@ -101,13 +101,15 @@ def wave(interface: Interface, incidence: Incidence) -> Wave:
         Numbers that broadcast to the shape of both, with a >= 0 and b >= 0.
     """
     real = normal_square(interface, incidence)
+    eta, kappa, _ = interface.relative
+    if interface.is_lossless and everywhere(eta >= 1.0):
+        return Wave(sqrt(real), 0.0, real, False)
     forward = real >= 0.0
     if interface.is_lossless:
         if everywhere(forward):
             return Wave(sqrt(real), 0.0, real, False)
         a, b = sqrt(maximum(real, 0.0)), sqrt(maximum(-real, 0.0))
         return Wave(a, b, absolute(real), real < 0.0)
-    eta, kappa, _ = interface.relative
     product = 2.0 * eta * kappa
     abs2 = sqrt(real * real + product * product)
     # The larger of a and b by a sum of positive terms, the smaller from 2 a b = product.
@@ -151,7 +153,7 @@ def _amplitudes(interface: Interface, incidence: Incidence) -> tuple[Complex, ..
     square = index * index
     contrast = interface.eta_minus_1 * (eta + 1.0) - kappa * kappa + 2j * eta * kappa
     den_s, den_p = c + qz, square * c + qz
-    null = _brewster_null(interface, incidence)
+    null = brewster_null(interface, incidence)
     with np.errstate(invalid="ignore", divide="ignore"):
         r_s = -contrast / (den_s * den_s)
         r_p = contrast * (null[0] + 1j * null[1]) / (den_p * den_p)
@@ -279,7 +281,7 @@ def _powers(interface: Interface, incidence: Incidence) -> tuple[Array, ...]:
 
     def careful() -> Number:
         # (c q - s^2) (c q + s^2) = N^2 c^2 - s^2
-        real, imag = _brewster_null(interface, incidence)
+        real, imag = brewster_null(interface, incidence)
         return (real * real + imag * imag) / den_p
 
     null = choose(interface.absorbs_strongly, lambda: even - odd, careful)
@@ -307,7 +309,7 @@ def _with_end(values: Number, one: Condition) -> Number:
     return values
 
 
-def _brewster_null(interface: Interface, incidence: Incidence) -> tuple[Number, Number]:
+def brewster_null(interface: Interface, incidence: Incidence) -> tuple[Number, Number]:
     """N^2 c^2 - s^2 as real and imaginary part: the factor that vanishes at Brewster's angle."""
     (c, s), (eta, kappa, _) = incidence.numbers, interface.relative
     real = brewster_factor(interface, incidence) * (eta * c + s)

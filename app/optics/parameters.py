@@ -4,7 +4,7 @@ The core checks its arguments against these declarations, and the API's query mo
 controls on the page are made from them.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -142,6 +142,18 @@ K_T = Parameter(
     "",
     "Imaginary part of the second medium's index (extinction), in N = n_t + i k_t.",
 )
+K_I = Parameter(
+    "k_i",
+    r"k_i",
+    0.0,
+    0.0,
+    100.0,
+    "",
+    "Imaginary part of the incident medium's index.",
+)
+LAYER_N = replace(N_T, name="n", symbol="n", description="Real part of a layer's index.")
+LAYER_K = replace(K_T, name="k", symbol="k", description="Imaginary part of a layer's index.")
+THICKNESS_NM = Parameter("thickness_nm", r"d", 0.0, 0.0, 1e9, "nm", "Thickness of a layer.")
 THETA_I_DEG = Parameter(
     "theta_i_deg",
     r"\theta_i",

@@ -75,6 +75,7 @@ def in_blocks(
     media: Arrays,
     directions: Arrays,
     arguments: Mapping[str, Array] | None = None,
+    size: int | None = None,
 ) -> tuple[NDArray[Any], ...]:
     """Evaluate `function(media, directions, **arguments)`, in pieces where it is large.
 
@@ -84,6 +85,8 @@ def in_blocks(
         Works value by value and returns arrays that broadcast against its arguments.
     media, directions, arguments
         They broadcast against each other.
+    size
+        Values of a piece, where it matters to the function.
 
     Returns
     -------
@@ -92,7 +95,7 @@ def in_blocks(
     """
     arguments = arguments or {}
     shape = broadcast(directions, media, *arguments.values())
-    size = VALUES * _OF_MANY_MEDIA if media.shape else VALUES
+    size = size or (VALUES * _OF_MANY_MEDIA if media.shape else VALUES)
     if math.prod(shape) <= size:
         return tuple(function(media, directions, **arguments))
     results: tuple[NDArray[Any], ...] = ()
