@@ -22,11 +22,14 @@ import numpy as np
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, RGB, UNLESS_GIVEN, Array, share
 
+LARGEST_R = 0.9999
+"""Largest reflectance that an index is worked out from; that of 1 is infinite."""
+
 REFLECTANCE = share(
     "r",
     "r",
     f"Reflectance at normal incidence, F0; {UNLESS_GIVEN}.{RGB}",
-    maximum=0.9999,
+    maximum=LARGEST_R,
     triple=True,
 )
 EDGE_TINT = share(

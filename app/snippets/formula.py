@@ -40,6 +40,7 @@ FUNCTIONS = {
     "minimum": "min",
     "maximum": "max",
     "power": "pow",
+    "clip": "clamp",
 }
 """NumPy's functions by the name that shading languages give them."""
 
@@ -299,22 +300,23 @@ class _Reader(ast.NodeTransformer):
         if once and not helper.steps:
             self._constants |= helper.constants
             self._helpers |= {inner.name: inner for inner in helper.helpers}
-            return _Replace(values).put_into(helper.value)
+            return Replace(values).put_into(helper.value)
         self._helpers[helper.name] = helper
         return ast.Call(ast.Name(helper.name), [values[name] for name in helper.arguments], [])
 
 
-class _Replace(ast.NodeTransformer):
+class Replace(ast.NodeTransformer):
     """Puts expressions in the place of names."""
 
     def __init__(self, values: Mapping[str, ast.expr]) -> None:
         self._values = values
 
     def put_into(self, expression: ast.expr) -> ast.expr:
+        """Return the expression with that done, in place."""
         replaced: ast.expr = self.visit(expression)
         return replaced
 
-    def visit_Name(self, node: ast.Name) -> ast.expr:
+    def visit_Name(self, node: ast.Name) -> ast.expr:  # noqa: D102
         return self._values.get(node.id, node)
 
 

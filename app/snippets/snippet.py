@@ -1,20 +1,24 @@
 """A model as code to take away: its formula with what has to be known of it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
 from app.optics.parameters import K_T, MU, N_I, N_T
 from app.optics.registry import Measured, Model
 from app.snippets.formula import Formula, Untranslatable, read
+from app.snippets.guards import TOLD, guarded
 from app.snippets.languages import Language
 
-_MEANINGS = {p.name: p.description for p in (MU, N_I, N_T, K_T)} | {
-    "eta": "Relative index n_t / n_i.",
-    "kappa": "Relative extinction k_t / n_i.",
-    "F0": "Reflectance at normal incidence, linear.",
-    "F82": "Reflectance at cos(theta_i) = 1/7, linear.",
+ETA_ENDS = (1e-3, 1e3)
+"""What the code is run at: further out some forms lose all digits of 32 bit floats."""
+_MEANINGS = {p.name: (p.description, p.minimum, p.maximum) for p in (MU, N_I, N_T, K_T)} | {
+    "eta": ("Relative index n_t / n_i.", *ETA_ENDS),
+    "kappa": ("Relative extinction k_t / n_i.", 0.0, ETA_ENDS[1]),
+    "F0": ("Reflectance at normal incidence, linear.", 0.0, 1.0),
+    "F82": ("Reflectance at cos(theta_i) = 1/7, linear.", 0.0, 1.0),
 }
+"""Words, least and largest value of what is no parameter of a model alone."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +30,9 @@ class Argument:
     """As everywhere: mu, n_i, n_t, k_t, eta, kappa, F0 or a parameter of the model."""
     per_channel: bool
     """Whether it differs from channel to channel of a color."""
+    minimum: float
+    maximum: float
+    """Inclusive bounds."""
 
 
 def formula_of(model: Model) -> Formula:
@@ -52,7 +59,7 @@ def reason_without(model: Model) -> str | None:
 def _formula_of(name: str, model: Model) -> Formula:
     if isinstance(model.snippet, str):
         raise Untranslatable(model.snippet)
-    return read(model.snippet or model.function, name)
+    return guarded(read(model.snippet or model.function, name))
 
 
 def arguments_of(model: Model) -> tuple[Argument, ...]:
@@ -68,10 +75,15 @@ def arguments_of(model: Model) -> tuple[Argument, ...]:
     for name in formula_of(model).arguments:
         if name in own:
             parameter = own[name]
-            meaning = _MEANINGS.get(name) or parameter.description.partition(" Three values")[0]
-            listed.append(Argument(name, meaning, parameter.triple or parameter.default is None))
+            per_channel = parameter.triple or parameter.default is None
+            least, most = parameter.minimum, parameter.maximum
+            meaning = parameter.description.partition(" Three values")[0]
+            if name in _MEANINGS:
+                meaning = _MEANINGS[name][0]
         else:
-            listed.append(Argument(name, _MEANINGS[name], name not in ("mu", "n_i")))
+            per_channel = name not in ("mu", "n_i")
+            meaning, least, most = _MEANINGS[name]
+        listed.append(Argument(name, meaning, per_channel, least, most))
     return tuple(listed)
 
 
@@ -95,7 +107,11 @@ def write(model: Model, language: Language, channels: int = 1) -> str:
     """
     formula, arguments = formula_of(model), arguments_of(model)
     lines = language.commented(
-        [*_told(model), *_untested(language), *(f"{a.name}: {a.description}" for a in arguments)]
+        [
+            *_told(model),
+            *_untested(language),
+            *_ends(arguments),
+        ]
     )
     if language.id == "python":
         lines += ["", "import numpy as np"]
@@ -119,6 +135,14 @@ def _told(model: Model) -> Iterator[str]:
     else:
         errors = "; ".join(_error(measured) for measured in model.measured)
         yield f"Error, measured, largest of |R - exact|: {errors}"
+
+
+def _ends(arguments: Sequence[Argument]) -> Iterator[str]:
+    for a in arguments:
+        yield f"{a.name}: {a.description} {a.minimum:g} to {a.maximum:g}."
+    if {"n_i", "n_t"} <= {a.name for a in arguments}:
+        yield "n_t / n_i: {:g} to {:g}.".format(*ETA_ENDS)
+    yield TOLD
 
 
 def _untested(language: Language) -> Iterator[str]:

@@ -12,7 +12,7 @@ from app.optics.registry import Model
 from app.snippets.languages import LANGUAGES
 from app.snippets.snippet import arguments_of, write
 from tests.browser.gpu import run
-from tests.snippets.cases import MODELS, cases
+from tests.snippets.cases import MODELS, at_the_ends, cases, check_at_the_ends
 
 SCHLICK, CONDUCTOR, DIELECTRIC = 5e-7, 2e-6, 1e-5
 TRIGONOMETRY = 1e-3
@@ -58,3 +58,24 @@ def test_equals_the_model(gpu_page: Page, language: str, model: Model) -> None:
         error = np.max(np.abs(values - case.R[:, np.newaxis]))
         worst[case.interface] = error / tolerance(model, case.interface)
     assert max(worst.values()) <= 1.0, worst
+
+
+MOST_AT_ONCE = 4096
+"""Columns that a texture has everywhere."""
+
+
+@pytest.mark.parametrize("model", MODELS, ids=lambda model: model.id)
+@pytest.mark.parametrize("language", ["glsl", "wgsl"])
+def test_is_defined_at_and_beyond_the_ends(gpu_page: Page, language: str, model: Model) -> None:
+    code = write(model, LANGUAGES[language], 3)
+    per_channel = [argument.per_channel for argument in arguments_of(model)]
+    columns = at_the_ends(model)
+    R = []
+    for start in range(0, columns.shape[1], MOST_AT_ONCE):
+        given = columns[:, start : start + MOST_AT_ONCE]
+        values = run(gpu_page, language, code, model.id, per_channel, given)
+        if isinstance(values, str):
+            (pytest.fail if os.environ.get("CI") else pytest.skip)(values)
+        R.append(values)
+    for channel in np.concatenate(R).T:
+        check_at_the_ends(model, channel, slack=0.1 if model.cost.trig else 1e-5)

@@ -10,7 +10,7 @@ from app.optics.angles import critical_deg
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.registry import Model, default_registry
-from app.snippets.snippet import arguments_of, reason_without
+from app.snippets.snippet import ETA_ENDS, arguments_of, reason_without
 
 Array = NDArray[np.float64]
 
@@ -59,3 +59,35 @@ def cases(model: Model, *, exactly: bool = False) -> Iterator[Case]:
         if not exactly:
             columns = columns.astype(np.float32).astype(np.float64)
         yield Case(numbers, columns, R[defined])
+
+
+BEYOND = 1.2e-7
+"""One step of 32 bit floats at 1: a dot product of unit vectors may be that much more."""
+
+
+def at_the_ends(model: Model) -> Array:
+    """Every combination of an argument's ends, what lies just beyond them and what lies inside.
+
+    Of shape (arguments, combinations). The cosine changes slowest: just below 0, 0, inside, 1, just
+    above. Media are combined as far as their ratio lies within what the code says.
+    """
+    axes, names = [], [argument.name for argument in arguments_of(model)]
+    for a in arguments_of(model):
+        least, most = a.minimum, a.maximum
+        below = least * (1.0 - BEYOND) if least else -BEYOND
+        inside = 0.4 if most <= 2.0 else 1.5
+        axes.append(np.array([below, least, inside, most, most * (1.0 + BEYOND)]))
+    columns = np.array([column.ravel() for column in np.meshgrid(*axes, indexing="ij")])
+    if {"n_i", "n_t"} <= set(names):
+        ratio = columns[names.index("n_t")] / columns[names.index("n_i")]
+        columns = columns[:, (ratio > 0.99 * ETA_ENDS[0]) & (ratio < 1.01 * ETA_ENDS[1])]
+    return columns.astype(np.float32).astype(np.float64)
+
+
+def check_at_the_ends(model: Model, R: Array, slack: float) -> None:
+    """Nothing is undefined, a cosine beyond an end is that end, and R stays in 0 to 1."""
+    assert np.isfinite(R).all()
+    below, least, _, most, above = R.reshape(5, -1)
+    assert np.array_equal(below, least)
+    assert np.array_equal(most, above)
+    assert model.leaves_0_to_1 or (R.min() > -slack and R.max() < 1.0 + slack)

@@ -14,9 +14,10 @@ from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.registry import Model, default_registry
 from app.snippets.formula import Untranslatable, read
+from app.snippets.guards import guarded
 from app.snippets.languages import LANGUAGES, WIDTH
-from app.snippets.snippet import reason_without, write
-from tests.snippets.cases import MODELS, cases
+from app.snippets.snippet import arguments_of, reason_without, write
+from tests.snippets.cases import MODELS, at_the_ends, cases, check_at_the_ends
 
 Array = NDArray[np.float64]
 
@@ -70,6 +71,25 @@ def test_python_equals_the_model(model: Model) -> None:
         assert np.max(np.abs(values - case.R)) < ROUNDING
         seen += case.R.size
     assert seen > 400
+
+
+@over_models
+def test_is_defined_at_and_beyond_the_ends_in_32_bits(model: Model) -> None:
+    columns = at_the_ends(model).astype(np.float32)
+    with np.errstate(all="ignore"):
+        R = np.broadcast_to(executed(model)(*columns), columns.shape[1:])
+    assert R.dtype == np.float32
+    check_at_the_ends(model, R.astype(np.float64), slack=6e-4 if model.cost.trig else 7e-6)
+
+
+@over_models
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_says_the_bounds_of_every_argument(model: Model, language: str) -> None:
+    code = write(model, LANGUAGES[language], 3).replace(LANGUAGES[language].comment, "")
+    told = " ".join(code.split())
+    for a in arguments_of(model):
+        assert f"{a.name}: {a.description} {a.minimum:g} to {a.maximum:g}." in told
+    assert "Beyond its ends mu is cut to them" in told
 
 
 @over_models
@@ -143,6 +163,26 @@ def made(interface: Interface, incidence: Incidence, share: Array) -> Array:
     # to what stands below.
     inside = (c > 0.5) & ~(eta == CONSTANT)
     return np.where(inside, busy(-share), doubled(eta) - (c - share) ** 3 / (c * share))
+
+
+def rooted(interface: Interface, incidence: Incidence, share: Array) -> Array:
+    """Roots, powers and arc sines that need a bound, and some that need none."""
+    s = incidence.sin
+    ratio = np.sqrt(share * share + s) / interface.eta
+    return np.arcsin(ratio) + np.sqrt(1.0 - ratio) + (1.0 - incidence.cos) ** share + share**0.5
+
+
+def test_bounds_stand_where_something_may_be_undefined_and_nowhere_else() -> None:
+    glsl = "\n".join(LANGUAGES["glsl"].function(guarded(read(rooted))))
+    assert glsl == (
+        "float rooted(float mu, float eta, float share) {\n"
+        "    float c = clamp(mu, 0.0, 1.0);\n"
+        "    float s = sqrt(1.0 - c * c);\n"
+        "    float ratio = sqrt(share * share + s) / eta;\n"
+        "    return asin(min(ratio, 1.0)) + sqrt(max(1.0 - ratio, 0.0)) + pow(1.0 - c, share)\n"
+        "            + pow(max(share, 0.0), 0.5);\n"
+        "}"
+    )
 
 
 class TestReading:

@@ -14,8 +14,8 @@ def cook_torrance(interface: Interface, incidence: Incidence, F0: Array) -> Arra
     g = np.sqrt(n * n + c * c - 1.0)
     ratio = (c * (g + c) - 1.0) / (c * (g - c) + 1.0)
     R = 0.5 * ((g - c) / (g + c)) ** 2 * (1.0 + ratio * ratio)
-    # n is infinite at F0 = 1 and nothing but a mirror; at n = 1 and c = 0 there is no boundary.
-    return np.where(F0 >= 1.0, 1.0, np.where((g == 0.0) & (c == 0.0), 0.0, R))
+    # n is infinite at F0 = 1 and nothing but a mirror; at n = 1 there is no boundary.
+    return np.where(F0 >= 1.0, 1.0, np.where(n == 1.0, 0.0, R))
 
 
 MODEL = Model(

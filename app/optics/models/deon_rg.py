@@ -5,7 +5,14 @@ from collections.abc import Mapping
 import numpy as np
 
 from app.optics.amplitudes import reflectance
-from app.optics.edge_tint import REFLECTANCE, TINT_ANGLE, deon_G, deon_index, relative_interface
+from app.optics.edge_tint import (
+    LARGEST_R,
+    REFLECTANCE,
+    TINT_ANGLE,
+    deon_G,
+    deon_index,
+    relative_interface,
+)
 from app.optics.models import Array, Cost, Incidence, Interface, Model
 from app.optics.models.exact import exact_real
 
@@ -17,10 +24,14 @@ def deon_rg(interface: Interface, incidence: Incidence, r: Array, G: Array) -> A
 
 def deon_rg_real(mu: Array, r: Array, G: Array) -> Array:
     """The same in real arithmetic."""
-    root = np.sqrt(r)
-    rho = 2.0 * root / (1.0 - r)
-    eta = (1.0 - root) / (1.0 + root) + 2.0 * rho * np.cos(0.5 * np.pi * G) ** 2
-    kappa = rho * np.sin(np.pi * G)
+    # Nothing has the index of a mirror, r = 1, which would be infinite.
+    known = np.clip(r, 0.0, LARGEST_R)
+    root = np.sqrt(known)
+    rho = 2.0 * root / (1.0 - known)
+    # From its nearer end: the sine of a rounded pi is not 0, and may lie below it.
+    angle = np.clip(G, 0.0, 1.0)
+    eta = (1.0 - root) / (1.0 + root) + 2.0 * rho * np.sin(0.5 * np.pi * (1.0 - angle)) ** 2
+    kappa = rho * np.sin(np.pi * np.minimum(angle, 1.0 - angle))
     return exact_real(mu, eta, kappa)
 
 
@@ -37,7 +48,7 @@ MODEL = Model(
     "(2019), modified Gulbrandsen mapping",
     validity="Exact with other parameters, for every interface: G = 0 is the dielectric n_t > n_i of "
     "that reflectance, G = 1 the one with n_t < n_i.",
-    cost=Cost(add=20, mul=31, div=5, sqrt=4, trig=2),
+    cost=Cost(add=22, mul=30, div=6, sqrt=4, trig=2),
     function=deon_rg,
     snippet=deon_rg_real,
     rounding=(1e-14, 1e-14),

@@ -7,6 +7,7 @@ import numpy as np
 from app.optics.amplitudes import reflectance
 from app.optics.edge_tint import (
     EDGE_TINT,
+    LARGEST_R,
     REFLECTANCE,
     gulbrandsen_g,
     gulbrandsen_index,
@@ -23,9 +24,11 @@ def gulbrandsen_rg(interface: Interface, incidence: Incidence, r: Array, g: Arra
 
 def gulbrandsen_rg_real(mu: Array, r: Array, g: Array) -> Array:
     """The same in real arithmetic."""
-    root = np.sqrt(r)
+    # Nothing has the index of a mirror, r = 1, which would be infinite.
+    known = np.clip(r, 0.0, LARGEST_R)
+    root = np.sqrt(known)
     n_max = (1.0 + root) / (1.0 - root)
-    n_min = (1.0 - r) / (1.0 + r)
+    n_min = (1.0 - known) / (1.0 + known)
     eta = g * n_min + (1.0 - g) * n_max
     # (r (n + 1)^2 - (n - 1)^2)/(1 - r), factored so that it is 0 for g = 0 after rounding too.
     kappa2 = g * (n_max - n_min) * (eta - (1.0 - root) / (1.0 + root))
@@ -51,7 +54,7 @@ MODEL = Model(
     "Techniques 3(4), 64-72 (2014)",
     validity="Exact with other parameters: every interface with |N| >= n_i has an r and a g from 0 to "
     "1. Below, the g worked out exceeds 1 and cannot be given, but its curve is still exact.",
-    cost=Cost(add=23, mul=30, div=6, sqrt=4),
+    cost=Cost(add=23, mul=29, div=7, sqrt=4),
     function=gulbrandsen_rg,
     snippet=gulbrandsen_rg_real,
     rounding=(1e-14, 1e-14),
