@@ -192,6 +192,20 @@ def test_fast_maps_agree_with_precise_ones() -> None:
             np.testing.assert_allclose(fast[name], precise[name], rtol=0.0, atol=tolerance)
 
 
+@pytest.mark.parametrize("name", ["max_abs", "max_relative"])
+def test_the_largest_of_a_map_is_found_too(name: Metric) -> None:
+    """Of every approximation, at media drawn at random, to what the docstring of FAST promises."""
+    rng = np.random.default_rng(3)
+    for model in REGISTRY.values():
+        for kind in model.applies_to if model.kind == "approximation" else ():
+            n = 10.0 ** rng.uniform(-1.0, 1.0, 150)
+            k = 10.0 ** rng.uniform(-2.0, 1.0, n.size) if kind == "conductor" else 0.0 * n
+            interface = Interface(1.0, n, k)
+            precise = measure(model, interface, wanted=[name])[name]
+            fast = measure(model, interface, None, FAST, [name])[name]
+            np.testing.assert_allclose(fast, precise, rtol=2e-3, atol=1e-5, err_msg=model.id)
+
+
 def test_too_much_work_is_refused() -> None:
     model, interface = REGISTRY["lut_1d"], Interface(1.0, np.full(20_000, 1.5))
     with pytest.raises(NotAllowed, match="lut_1d"):

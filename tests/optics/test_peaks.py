@@ -40,6 +40,19 @@ def test_a_cusp_is_found_by_the_divisions() -> None:
     assert float(found.value[0]) == pytest.approx(1.0, abs=1e-3)
 
 
+def test_the_higher_of_two_peaks_where_the_samples_tell_the_lower() -> None:
+    def peaks(x: Array) -> Array:
+        return np.asarray(
+            np.exp(-(((x - 0.5) / 0.1) ** 2)) - 1.1 * np.exp(-(((x - 0.9) / 0.03) ** 2))
+        )
+
+    x = np.array([0.0, 0.25, 0.5, 0.75, 0.88, 1.0])
+    assert np.argmax(np.abs(peaks(x))) == 2
+    found = largest(peaks, x, peaks(x)[np.newaxis], points=7, rounds=4)
+    assert float(found.value[0]) == pytest.approx(-1.1, abs=1e-6)
+    assert float(found.at[0]) == pytest.approx(0.9, abs=1e-6)
+
+
 def test_undefined_samples_count_as_nothing() -> None:
     def broken(x: Array) -> Array:
         return np.where(np.abs(x - 0.5) < 0.2, np.nan, x)

@@ -12,8 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from numpy.typing import NDArray
+
 from app.optics.parameters import Array
 
+_HILLS = 3
 _DENSE = 61
 # A product of so few rows is too small for BLAS to wake its threads, which would cost more.
 _ROWS = 256
@@ -29,7 +32,7 @@ class Peaks(NamedTuple):
 def largest(
     function: Callable[[Array], Array], x: Array, y: Array, points: int, rounds: int
 ) -> Peaks:
-    """Find the value of largest modulus of every curve, near its largest sample.
+    """Find the value of largest modulus of every curve, near its largest samples.
 
     Parameters
     ----------
@@ -40,30 +43,46 @@ def largest(
     y
         Values there, shape (curves, nodes).
     points, rounds
-        The interval between the neighbors of the largest sample is divided so many times by so many
-        points; a parabola through the last three has the last word.
+        The interval between the neighbors of each of the largest samples is divided so many times by
+        so many points; a parabola through the last three has the last word.
 
     Returns
     -------
     Peaks
         Shape (curves,) each; never less than the samples, NaN counting as 0.
     """
-    best = np.argmax(np.abs(y), axis=1)[:, np.newaxis]
+    # Peaks of nearly the same height compete, and which is higher the samples may not tell.
+    best = _hills(np.abs(y))[..., np.newaxis]
     triple = np.clip(best + np.arange(-1, 2), 0, y.shape[1] - 1)
-    xs = x[triple] if x.ndim == 1 else np.take_along_axis(x, triple, axis=1)
-    ys = np.take_along_axis(y, triple, axis=1)
-    top = Peaks(ys[:, 1], xs[:, 1])
+    rows = np.arange(len(y))[:, np.newaxis, np.newaxis]
+    xs = x[triple] if x.ndim == 1 else x[rows, triple]
+    ys = y[rows, triple]
+    top = Peaks(ys[..., 1], xs[..., 1])
     fractions = np.arange(1, points + 1) / (points + 1)
     for _ in range(rounds):
-        inner = xs[:, :1] + (xs[:, 2:] - xs[:, :1]) * fractions
-        values = _finite(function(inner))
-        at = np.argmax(np.abs(values), axis=1)[:, np.newaxis]
+        inner = xs[..., :1] + (xs[..., 2:] - xs[..., :1]) * fractions
+        values = _finite(function(inner.reshape(len(y), -1))).reshape(inner.shape)
+        at = np.argmax(np.abs(values), axis=-1)[..., np.newaxis]
         triple = at + np.arange(3)
-        xs = np.take_along_axis(np.hstack([xs[:, :1], inner, xs[:, 2:]]), triple, axis=1)
-        ys = np.take_along_axis(np.hstack([ys[:, :1], values, ys[:, 2:]]), triple, axis=1)
-        top = _larger(top, Peaks(ys[:, 1], xs[:, 1]))
+        xs = np.take_along_axis(
+            np.concatenate([xs[..., :1], inner, xs[..., 2:]], axis=-1), triple, axis=-1
+        )
+        ys = np.take_along_axis(
+            np.concatenate([ys[..., :1], values, ys[..., 2:]], axis=-1), triple, axis=-1
+        )
+        top = _larger(top, Peaks(ys[..., 1], xs[..., 1]))
     vertex = _vertex(xs, np.abs(ys))
-    return _larger(top, Peaks(_finite(function(vertex[:, np.newaxis]))[:, 0], vertex))
+    top = _larger(top, Peaks(_finite(function(vertex)), vertex))
+    highest = np.argmax(np.abs(top.value), axis=1)[:, np.newaxis]
+    value, at = (np.take_along_axis(part, highest, axis=1)[:, 0] for part in top)
+    return Peaks(value, at)
+
+
+def _hills(heights: Array) -> NDArray[np.intp]:
+    """Indices of the samples that no neighbor exceeds, the `_HILLS` highest of each curve."""
+    padded = np.pad(heights, ((0, 0), (1, 1)), constant_values=-1.0)
+    hill = (heights >= padded[:, :-2]) & (heights >= padded[:, 2:])
+    return np.argsort(np.where(hill, -heights, 1.0), axis=1, kind="stable")[:, :_HILLS]
 
 
 @cache
@@ -117,9 +136,9 @@ def _larger(a: Peaks, b: Peaks) -> Peaks:
 
 def _vertex(x: Array, y: Array) -> Array:
     """Abscissa of the vertex of the parabola through three points, kept between the outer two."""
-    left, right = x[:, 1] - x[:, 0], x[:, 2] - x[:, 1]
+    left, right = x[..., 1] - x[..., 0], x[..., 2] - x[..., 1]
     with np.errstate(invalid="ignore", divide="ignore"):
-        fall_left, fall_right = (y[:, 1] - y[:, 0]) / left, (y[:, 1] - y[:, 2]) / right
+        fall_left, fall_right = (y[..., 1] - y[..., 0]) / left, (y[..., 1] - y[..., 2]) / right
         shift = 0.5 * (left * fall_right - right * fall_left) / (fall_left + fall_right)
     shift = np.where(np.isfinite(shift), shift, 0.0)
-    return np.clip(x[:, 1] - shift, x[:, 0], x[:, 2])
+    return np.clip(x[..., 1] - shift, x[..., 0], x[..., 2])
