@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache
 from typing import Literal
 
@@ -16,6 +16,7 @@ from app.answers.interface import CONVENTION, PresetInterface, ResolvedPreset
 from app.optics.albedo import Albedo, Domain, Fit, Quantity, albedo, flatland_albedo, model_albedo
 from app.optics.errors import NotAllowed
 from app.optics.interface import Interface
+from app.optics.numerics.peaks import summit
 from app.optics.parameters import Array
 
 Shown = Literal["exact", "value", "error"]
@@ -70,15 +71,6 @@ class AlbedoSweep:
 
 
 @answer
-class Largest:
-    """Where a map's modulus is largest."""
-
-    value: float
-    n_t: float
-    k_t: float
-
-
-@answer
 class Box:
     """A domain in a map's own coordinates."""
 
@@ -90,6 +82,29 @@ class Box:
         """Scale a domain by the index of the incident medium."""
         (low, high), (least, most) = domain.eta, domain.kappa
         return cls(n_t=(low * n_i, high * n_i), k_t=(least * n_i, most * n_i))
+
+    def shared_with(self, other: Box) -> Box | None:
+        """The part that lies in both, or None."""
+        n_t, k_t = (
+            (max(mine[0], its[0]), min(mine[1], its[1]))
+            for mine, its in ((self.n_t, other.n_t), (self.k_t, other.k_t))
+        )
+        return Box(n_t=n_t, k_t=k_t) if n_t[0] <= n_t[1] and k_t[0] <= k_t[1] else None
+
+
+@answer
+class Largest:
+    """Where a map's modulus is largest, found by a search that its grid does not bound."""
+
+    value: float
+    n_t: float
+    k_t: float
+
+    @classmethod
+    def within(cls, function: Callable[[Array, Array], Array], box: Box) -> Largest | None:
+        """Search a box; None where the function has no value or grows without bound."""
+        found = summit(function, box.n_t, box.k_t)
+        return found and cls(value=found.value, n_t=found.x, k_t=found.y)
 
 
 @answer
@@ -106,9 +121,9 @@ class AlbedoMap:
     values: Rows
     """A row for each k_t."""
     largest: Largest | None
-    """Over the whole map."""
+    """Over the whole map, between its points too; null where it grows without bound."""
     largest_in_domain: Largest | None
-    """Within the fit's domains."""
+    """Within the fit's domains; null outside them."""
     domains: list[Box]
     """The fit's domains, to be outlined."""
 
@@ -197,15 +212,20 @@ def albedo_map(
     show = show or ("error" if fit else "exact")
     quantity = fit.quantity if fit else quantity or "unpolarized"
     grid, exact = _exact_over_rectangle(n_i, n, k)
-    values = truth = getattr(exact, quantity)
-    domains, largest_inside = [], None
-    if fit:
-        domains = [Box.of(domain, n_i) for domain in fit.domains]
-        if show != "exact":
-            value = fit(grid.interface)
-            values = np.asarray(value - truth) if show == "error" else value
-        inside = fit.contains(grid.interface)
-        largest_inside = _largest(np.where(inside, values, np.nan), grid)
+
+    def shown(interface: Interface, truth: Albedo) -> Array:
+        if fit is None or show == "exact":
+            return np.asarray(getattr(truth, quantity))
+        return fit(interface) - getattr(truth, quantity) if show == "error" else fit(interface)
+
+    def anywhere(n_t: Array, k_t: Array) -> Array:
+        interface = Interface(n_i, n_t, k_t)
+        return shown(interface, albedo(interface))
+
+    whole = Box(n_t=n[:2], k_t=k[:2])
+    domains = [Box.of(domain, n_i) for domain in fit.domains] if fit else []
+    parts = [part for domain in domains if (part := whole.shared_with(domain))]
+    inside = [found for part in parts if (found := Largest.within(anywhere, part))]
     return AlbedoMap(
         n_i=n_i,
         n_t=grid.varied["n_t"].ravel(),
@@ -213,9 +233,9 @@ def albedo_map(
         fit=fit.id if fit else None,
         quantity=quantity,
         show=show,
-        values=np.ascontiguousarray(values),
-        largest=_largest(values, grid),
-        largest_in_domain=largest_inside,
+        values=np.ascontiguousarray(shown(grid.interface, exact)),
+        largest=Largest.within(anywhere, whole),
+        largest_in_domain=max(inside, key=lambda found: abs(found.value), default=None),
         domains=domains,
     )
 
@@ -226,16 +246,3 @@ def _exact_over_rectangle(n_i: float, n: Ends, k: Ends) -> tuple[Grid, Albedo]:
     x, y = Axis.between("n_t", *n, prefix="n_"), Axis.between("k_t", *k, prefix="k_")
     grid = Grid(Interface(n_i), x, y)
     return grid, albedo(grid.interface)
-
-
-def _largest(values: Array, grid: Grid) -> Largest | None:
-    """Value of largest modulus and where it is; None if there is none."""
-    modulus = np.where(np.isfinite(values), np.abs(values), -1.0)
-    row, column = np.unravel_index(np.argmax(modulus), values.shape)
-    if modulus[row, column] < 0.0:
-        return None
-    return Largest(
-        value=float(values[row, column]),
-        n_t=float(grid.varied["n_t"][0, column]),
-        k_t=float(grid.varied["k_t"][row, 0]),
-    )

@@ -1,11 +1,12 @@
 """Errors of one model along a line and over a rectangle of interfaces."""
 
+from collections.abc import Mapping
 from typing import Literal, cast
 
 import numpy as np
 
 from app.answers.answer import Gaps, Rows, Table, Values, answer
-from app.answers.axes import SETS, Axis, Grid, held
+from app.answers.axes import SETS, Axis, Grid, held, interfaces
 from app.answers.curves import Chosen
 from app.answers.errors import FIGURES, MEASURE, FigureName, figures, metric_of
 from app.answers.interface import CONVENTION
@@ -13,6 +14,7 @@ from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.metrics import FAST, POINT_METRICS, Metric, PointMetric, measure, point_error
+from app.optics.numerics.peaks import summit
 from app.optics.parameters import Array
 
 MapMetric = Literal[Metric, PointMetric, "albedo_error"]
@@ -56,6 +58,15 @@ class ErrorSweep(ErrorGrid):
 
 
 @answer
+class LargestError:
+    """Where the modulus of a map is largest, found by a search that its grid does not bound."""
+
+    value: float
+    x: float
+    y: float
+
+
+@answer
 class ErrorMap(ErrorGrid):
     """Errors of one model over a rectangle."""
 
@@ -64,6 +75,8 @@ class ErrorMap(ErrorGrid):
     y: Axis
     values: Rows
     """A row for every y, a column for every x."""
+    largest: LargestError | None
+    """Between the points too; null where it grows without bound, or is an angle."""
 
     def table(self) -> Table:
         """Lay out a row each point."""
@@ -108,20 +121,29 @@ def map_metric(x: str, y: str, metric: MapMetric | None) -> MapMetric:
 
 def error_map(chosen: Chosen, fixed: Interface, x: Axis, y: Axis, metric: MapMetric) -> ErrorMap:
     """Measure a model over a rectangle, by the metric that `map_metric` chose."""
-    grid, model = Grid(fixed, x, y), chosen.model
-    arguments = chosen.of_one_color().arguments(grid.interface)
-    if "theta_i_deg" in grid.varied:
-        incidence = Incidence.from_degrees(grid.varied["theta_i_deg"])
-        at_points = cast("PointMetric", metric)
-        values = point_error(model, grid.interface, incidence, arguments, at_points)
-    else:
+    model, one_color = chosen.model, chosen.of_one_color()
+
+    def at(varied: Mapping[str, Array]) -> Array:
+        interface = interfaces(fixed, varied)
+        arguments = one_color.arguments(interface)
+        if "theta_i_deg" in varied:
+            incidence = Incidence.from_degrees(varied["theta_i_deg"])
+            at_points = cast("PointMetric", metric)
+            return point_error(model, interface, incidence, arguments, at_points)
         name = metric_of(cast("FigureName", metric))
-        values = measure(model, grid.interface, arguments, FAST, [name])[name]
+        return measure(model, interface, arguments, FAST, [name])[name]
+
+    def anywhere(x_values: Array, y_values: Array) -> Array:
+        return at({x.name: x_values, y.name: y_values})
+
+    ends = [(float(axis.values[0]), float(axis.values[-1])) for axis in (x, y)]
+    found = None if metric.endswith("_deg") else summit(anywhere, *ends)
     return ErrorMap(
         model=model.id,
         **held(fixed, x.name, y.name),
         metric=metric,
         x=x,
         y=y,
-        values=np.ascontiguousarray(values),
+        values=np.ascontiguousarray(at(Grid(fixed, x, y).varied)),
+        largest=found and LargestError(value=found.value, x=found.x, y=found.y),
     )

@@ -23,9 +23,12 @@ def value(path: str) -> Reading:
     return Reading(path, lambda answer: float(follow(answer, path)))
 
 
-def largest(path: str) -> Reading:
-    """The largest of a list of numbers."""
-    return Reading(f"max({path})", lambda answer: max(_numbers(follow(answer, path))))
+def largest(path: str, over: str) -> Reading:
+    """The largest of a list of numbers, between them too: the top of the parabola through three."""
+    return Reading(
+        f"max({path}), between {over} too",
+        lambda answer: _top(_moduli(follow(answer, path)), follow(answer, over)),
+    )
 
 
 def smallest(path: str) -> Reading:
@@ -33,9 +36,14 @@ def smallest(path: str) -> Reading:
     return Reading(f"min({path})", lambda answer: min(_numbers(follow(answer, path))))
 
 
-def largest_modulus(path: str) -> Reading:
-    """The largest modulus in a list or a grid of numbers."""
-    return Reading(f"max |{path}|", lambda answer: max(map(abs, _numbers(follow(answer, path)))))
+def most(path: str) -> Reading:
+    """The largest modulus of the numbers that there are, where rounding is all that they hold."""
+    return Reading(f"max |{path}|", lambda answer: max(_moduli(follow(answer, path))))
+
+
+def modulus(path: str) -> Reading:
+    """One number without its sign."""
+    return Reading(f"|{path}|", lambda answer: abs(float(follow(answer, path))))
 
 
 def spread(path: str) -> Reading:
@@ -48,17 +56,14 @@ def spread(path: str) -> Reading:
     return Reading(f"max({path}) - min({path})", read)
 
 
-def apart(first: str, second: str) -> Reading:
-    """How far two lists of numbers are apart at most."""
-    return Reading(
-        f"max |{first} - {second}|",
-        lambda answer: max(
-            abs(a - b)
-            for a, b in zip(
-                _numbers(follow(answer, first)), _numbers(follow(answer, second)), strict=True
-            )
-        ),
-    )
+def apart(first: str, second: str, over: str = "theta_i_deg") -> Reading:
+    """How far two curves are apart at most, between their samples too."""
+
+    def read(answer: Any) -> float:
+        pairs = zip(_numbers(follow(answer, first)), _numbers(follow(answer, second)), strict=True)
+        return _top([abs(a - b) for a, b in pairs], follow(answer, over))
+
+    return Reading(f"max |{first} - {second}|, between {over} too", read)
 
 
 def quotient(first: str, second: str) -> Reading:
@@ -84,17 +89,14 @@ def offset(path: str, expected: float) -> Reading:
     )
 
 
-def largest_ratio(first: str, second: str) -> Reading:
-    """The largest modulus of the quotients of two lists."""
-    return Reading(
-        f"max |{first} / {second}|",
-        lambda answer: max(
-            abs(a / b)
-            for a, b in zip(
-                _numbers(follow(answer, first)), _numbers(follow(answer, second)), strict=True
-            )
-        ),
-    )
+def largest_ratio(first: str, second: str, over: str) -> Reading:
+    """The largest modulus of the quotients of two lists, between them too."""
+
+    def read(answer: Any) -> float:
+        pairs = zip(_numbers(follow(answer, first)), _numbers(follow(answer, second)), strict=True)
+        return _top([abs(a / b) for a, b in pairs], follow(answer, over))
+
+    return Reading(f"max |{first} / {second}|, between {over} too", read)
 
 
 def unity(*paths: str) -> Reading:
@@ -188,3 +190,23 @@ def _numbers(nested: Iterable[Any]) -> Iterator[float]:
             yield from _numbers(entry)
         elif entry is not None and not math.isnan(entry):
             yield float(entry)
+
+
+def _moduli(numbers: Iterable[Any]) -> list[float]:
+    return [abs(number) for number in _numbers(numbers)]
+
+
+def _top(heights: Sequence[float], over: Sequence[float]) -> float:
+    """The top of the parabola through the highest of some samples and its neighbors."""
+    best = int(np.argmax(heights))
+    if not 0 < best < len(heights) - 1:
+        return heights[best]
+    near = slice(best - 1, best + 2)
+    x, y = np.asarray(over[near], dtype=np.float64), np.asarray(heights[near])
+    left, right = x[1] - x[0], x[2] - x[1]
+    fall_left, fall_right = (y[1] - y[0]) / left, (y[1] - y[2]) / right
+    fall = fall_left + fall_right
+    if fall <= 0.0:
+        return heights[best]
+    shift = 0.5 * (left * fall_right - right * fall_left) / fall
+    return float(y[1] + shift**2 * fall / (left + right))

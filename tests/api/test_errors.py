@@ -1,5 +1,7 @@
 """The routes about errors: numbers, shapes, refusals."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -161,6 +163,42 @@ def test_a_map_over_index_and_extinction(ask: Ask, metric: str) -> None:
     expected = measure(REGISTRY["pharr_humphreys"], Interface(1.0, n, k))[name]  # type: ignore[index]
     tolerance = 0.5 if metric.endswith("_deg") else 5e-4
     np.testing.assert_allclose(np.array(body["values"]), expected, atol=tolerance)
+
+
+@pytest.mark.parametrize(
+    ("asked", "least"),
+    [
+        # Over the angle the largest error of a model is that of /errors at the medium of the map.
+        ({"x": "theta_i_deg", "y": "n_t", "y_minimum": 1.5, "y_maximum": 1.5000001}, 0.0356747),
+        ({"x": "n_t", "y": "k_t", "x_minimum": 1.4, "x_maximum": 2.2, "y_maximum": 1e-9}, 0.0581),
+        ({"x": "k_t", "y": "n_t", "metric": "rms", "model": "f82_tint"}, 0.02),
+    ],
+)
+def test_the_largest_of_a_map_is_found_whatever_the_grid(
+    ask: Ask, asked: dict[str, Any], least: float
+) -> None:
+    fine = ask("/errors/map", **asked, x_steps=181, y_steps=61).json()
+    coarse = ask("/errors/map", **asked, x_steps=2, y_steps=2).json()
+    assert fine["largest"] == coarse["largest"]
+    found = coarse["largest"]
+    assert abs(found["value"]) >= np.abs(fine["values"]).max() * (1.0 - 1e-6)
+    assert abs(found["value"]) > least
+    here = {asked["x"]: found["x"], asked["y"]: found["y"]}
+    row = ask("/errors", models=asked.get("model", "schlick"), **without_angle(here)).json()
+    metric = asked.get("metric", "max_abs")
+    assert abs(found["value"]) == pytest.approx(row["errors"][0][metric], rel=1e-5)
+
+
+def without_angle(here: dict[str, float]) -> dict[str, float]:
+    return {name: value for name, value in here.items() if name != "theta_i_deg"}
+
+
+def test_an_angle_and_what_has_no_bound_have_no_largest(ask: Ask) -> None:
+    asked = {"x": "n_t", "y": "k_t", "x_steps": 2, "y_steps": 2}
+    assert ask("/errors/map", **asked, metric="max_abs_at_deg").json()["largest"] is None
+    # Beside n_t = n_i the exact R is 0, and 4 % are infinitely more.
+    asked |= {"model": "schlick_four_percent", "metric": "max_relative", "x_minimum": 0.5}
+    assert ask("/errors/map", **asked).json()["largest"] is None
 
 
 def test_defaults_of_a_map(ask: Ask) -> None:

@@ -134,7 +134,7 @@ def test_the_map_outlines_a_domain_and_leads_there(quiet_page: Page) -> None:
     page = opened(quiet_page)
     outline = page.locator(".map-region")
     assert outline.get_attribute("d")
-    expect(page.locator(".largest")).to_contain_text("in the outlined domain −0.00256")
+    expect(page.locator(".largest")).to_contain_text("in the outlined domain −0.00309")
     expect(page.locator(".map-note")).to_have_text("line at ±0.001")
     page.get_by_label("Fit of the map").select_option("large_k")
     expect(page).to_have_url(at("map_k_high", "100"))

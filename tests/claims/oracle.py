@@ -203,7 +203,7 @@ def errors_sweep(query: Query) -> Any:
     values = query.axis("")
     media = [query.medium(**{query["over"]: float(value)}) for value in values]
     rows = [figures(query["model"], medium, {}, THETA[::4]) for medium in media]
-    return {name: [row[name] for row in rows] for name in rows[0]}
+    return {"values": values.tolist()} | {n: [row[n] for row in rows] for n in rows[0]}
 
 
 def errors_map(query: Query) -> Any:
@@ -242,7 +242,7 @@ def curves(query: Query) -> Any:
         else:
             named = {"R": curve(model, *medium, theta, query.given(model))}
         answer += [{"model": model, "quantity": q, "values": v.tolist()} for q, v in named.items()]
-    return {"curves": answer}
+    return {"theta_i_deg": np.degrees(theta).tolist(), "curves": answer}
 
 
 def snell(query: Query) -> Any:
@@ -350,6 +350,7 @@ def albedo_sweep(query: Query) -> Any:
     truth = np.array([mean(partial(exact, 1.0, complex(n)), n) for n in eta.tolist()])
     fit = query["fits"]
     return {
+        "values": eta.tolist(),
         "curves": [
             {"kind": "exact", "quantity": "unpolarized", "values": truth.tolist()},
             {
@@ -357,19 +358,26 @@ def albedo_sweep(query: Query) -> Any:
                 "id": fit,
                 "error": (FITS[fit](eta, np.zeros_like(eta)) - truth).tolist(),
             },
-        ]
+        ],
     }
 
 
 def albedo_map(query: Query) -> Any:
-    n, k = query.axis("n_", "steps"), query.axis("k_", "steps")
+    """The largest error of a fit, on a grid of its own."""
+    ends = [[query.number(f"{x}_{end}imum", 0.0) for end in ("min", "max")] for x in "nk"]
+    fit = find_fit(query["fit"])
+    if all(domain.kind == "dielectric" for domain in fit.domains):
+        ends[1] = [0.0, 0.0]
+    (n_low, n_high), (k_low, k_high) = ends
+    n, k = np.geomspace(n_low, n_high, 201), np.linspace(k_low, k_high, 201 if k_high else 1)
     theta = np.pi / 4.0 * (NODES + 1.0)
     media = (n[np.newaxis, :] + 1j * k[:, np.newaxis])[..., np.newaxis]
     with np.errstate(under="ignore"):
         truth = exact(1.0, media, theta) @ (WEIGHTS * np.sin(2.0 * theta) * np.pi / 4.0)
     # The longest formulas are not typed a second time; their albedo is, see tests/optics.
-    fit = find_fit(query["fit"])(Interface(1.0, n[np.newaxis, :], k[:, np.newaxis]))
-    return {"values": (fit - truth).tolist()}
+    error = fit(Interface(1.0, n[np.newaxis, :], k[:, np.newaxis])) - truth
+    found = {"value": float(np.abs(error).max())}
+    return {"largest": found, "largest_in_domain": found}
 
 
 ROUTES: dict[str, Callable[[Query], Any]] = {

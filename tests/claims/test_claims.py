@@ -70,6 +70,32 @@ def test_another_evaluation_agrees(cards: Mapping[str, Any], claim: Claim, figur
         assert found == pytest.approx(expected, rel=2e-4, abs=tolerance)
 
 
+LARGEST = [(c, f) for c, f in FIGURES if f.says.startswith("largest")]
+FOUND = re.compile(r"\.(max_abs|max_relative)$|^\|largest(_in_domain)?\.value\||^max.*, between ")
+
+
+@pytest.mark.parametrize(
+    ("claim", "figure"), LARGEST, ids=[f"{claim.id}.{figure.name}" for claim, figure in LARGEST]
+)
+def test_what_is_called_the_largest_is_found_and_not_sampled(
+    app: FastAPI, cards: Mapping[str, Any], claim: Claim, figure: Figure
+) -> None:
+    if re.search(r"\b(39|1801)\b", figure.says):  # rounding, of so many samples
+        assert measured(cards, claim, figure) < 1e-12
+        return
+    assert FOUND.search(figure.reading.words), figure.reading.words
+    if "between" in figure.reading.words:
+        finer = re.sub(
+            r"(samples|steps)=(\d+)",
+            lambda found: f"{found[1]}={3 * int(found[2]) - 2}",
+            figure.request,
+        )
+        answer = send(app, (PREFIX + finer).encode()).json()
+        assert measured(cards, claim, figure) == pytest.approx(
+            figure.reading.read(answer), abs=3e-6
+        )
+
+
 @pytest.mark.parametrize("claim", CLAIMS.values(), ids=CLAIMS)
 def test_the_verdict_follows_from_the_figures(cards: Mapping[str, Any], claim: Claim) -> None:
     card = cards[claim.id]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import cache
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache, partial
 
 import numpy as np
 
@@ -18,9 +18,12 @@ from app.optics.hemisphere import hemisphere
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.metrics import cosine_weighted_mean, root_mean_square
+from app.optics.numerics.peaks import largest
 from app.optics.numerics.quadrature import Nodes, crowded_gauss_legendre
 from app.optics.parameters import Array
 from app.optics.registry import Model
+
+_Own = Mapping[str, Array]
 
 
 @answer
@@ -28,7 +31,7 @@ class ChannelError:
     """Error against the spectrum, over the hemisphere; null where the model is undefined."""
 
     max_abs: float | None
-    """Largest absolute error, to about 1e-4."""
+    """Largest absolute error, sought between the angles too."""
     max_abs_at_deg: float | None
     error_at_max: float | None
     """Signed error there."""
@@ -38,13 +41,14 @@ class ChannelError:
     """Signed: the error of the albedo."""
 
     @classmethod
-    def of(cls, error: Array, nodes: Nodes) -> ChannelError:
-        """Measure one channel's signed error at the nodes."""
-        at = int(np.argmax(np.abs(np.nan_to_num(error))))
+    def of(cls, error_at: Callable[[Array], Array], error: Array, nodes: Nodes) -> ChannelError:
+        """Measure one channel's signed error, of cosines and at the nodes."""
+        peak = largest(error_at, nodes.mu, np.nan_to_num(error)[np.newaxis], points=7, rounds=4)
+        value, mu = peak.value[0], peak.at[0]
         measured = {
-            "max_abs": abs(error[at]),
-            "max_abs_at_deg": np.degrees(np.arccos(nodes.mu[at])),
-            "error_at_max": error[at],
+            "max_abs": abs(value),
+            "max_abs_at_deg": np.degrees(np.arccos(mu)),
+            "error_at_max": value,
             "rms": root_mean_square(error, nodes),
             "cosine_weighted_mean": cosine_weighted_mean(error, nodes),
         }
@@ -138,7 +142,17 @@ def rgb_curves(
             given = {name: value.ravel() for name, value in constants.items()}
         # Not `model(...)`, which refuses the unclamped F0 above 1 that gold has in red.
         error = model.evaluate(averaged, at_nodes, arguments) - truth_at_nodes
-        red, green, blue = (ChannelError.of(row, nodes) for row in error)
+
+        def error_at(mu: Array, channel: int, model: Model = model, own: _Own = arguments) -> Array:
+            at = Incidence.from_cosine(mu.ravel())
+            truth = color_curve(spectrum, at, n_i, viewing)[:, channel]
+            error = np.asarray(model.evaluate(averaged, at, own)[channel] - truth)
+            return error.reshape(mu.shape)
+
+        red, green, blue = (
+            ChannelError.of(partial(error_at, channel=channel), row, nodes)
+            for channel, row in enumerate(error)
+        )
         curves.append(
             RgbCurve(
                 model=model.id,

@@ -4,11 +4,12 @@ from collections.abc import Iterator
 
 from app.claims import sources
 from app.claims.claim import Claim, Figure, Part, Source
-from app.claims.readings import largest_modulus, largest_ratio
-from app.optics.albedo import FITS, Domain, Fit
+from app.claims.readings import largest_ratio, modulus
+from app.optics.albedo import FITS, Fit
 from app.optics.albedo import Claim as FitClaim
 
-_STEPS = 201  # along each side: the largest errors lie on edges or smooth maxima
+_STEPS = 201
+"""Of a relative error, whose largest lies on an edge or at a smooth maximum."""
 
 
 def _source(fit: Fit, claim: FitClaim) -> Source:
@@ -17,28 +18,22 @@ def _source(fit: Fit, claim: FitClaim) -> Source:
     return sources.KULLA_CONTY if fit.id.startswith("kulla") else sources.DEON
 
 
-def _request(fit: Fit, over: Domain) -> str:
-    (low, high), (k_low, k_high) = over.eta, over.kappa
-    if over.kind == "dielectric":
-        ends = f"minimum={low!r}&maximum={high!r}&steps={_STEPS}&scale=log"
-        return f"/albedo/sweep?over=eta&{ends}&fits={fit.id}"
-    ends = f"n_minimum={low!r}&n_maximum={high!r}&n_steps={_STEPS}"
-    return (
-        f"/albedo/map?{ends}&k_minimum={k_low!r}&k_maximum={k_high!r}&k_steps={_STEPS}&fit={fit.id}"
-    )
-
-
 def _largest(fit: Fit, claim: FitClaim) -> Figure:
-    error = (
-        "values"
-        if claim.measured_over.kind == "conductor"
-        else f"curves[kind=fit,id={fit.id}].error"
-    )
-    exact = f"curves[kind=exact,quantity={fit.quantity}].values"
-    reading = largest_ratio(error, exact) if claim.relative else largest_modulus(error)
+    over = claim.measured_over
+    (low, high), (k_low, k_high) = over.eta, over.kappa
     kind = "relative error" if claim.relative else "error"
-    says = f"largest {kind} of the albedo, {claim.measured_over.words}"
-    return Figure("largest", says, _request(fit, claim.measured_over), reading)
+    says = f"largest {kind} of the albedo, {over.words}"
+    if claim.relative:
+        ends = f"minimum={low!r}&maximum={high!r}&steps={_STEPS}&scale=log"
+        error = f"curves[kind=fit,id={fit.id}].error"
+        exact = f"curves[kind=exact,quantity={fit.quantity}].values"
+        request = f"/albedo/sweep?over=eta&{ends}&fits={fit.id}"
+        return Figure("largest", says, request, largest_ratio(error, exact, "values"))
+    # The search does not depend on the grid, whose points are not asked for.
+    ends = f"n_minimum={low!r}&n_maximum={high!r}&n_steps=2"
+    ends += f"&k_minimum={k_low!r}&k_maximum={k_high or 1.0!r}&k_steps=2"
+    part = "largest_in_domain" if over in fit.domains or not k_high else "largest"
+    return Figure("largest", says, f"/albedo/map?{ends}&fit={fit.id}", modulus(f"{part}.value"))
 
 
 def _promise(claim: FitClaim) -> str:

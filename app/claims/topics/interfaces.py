@@ -28,7 +28,7 @@ CLAIMS = (
         figures=tuple(
             Figure(
                 name,
-                f"largest |R + T - 1| {words}",
+                f"largest |R + T - 1| of 1801 angles, {words}",
                 f"/curves?n_i={n_i}&n_t={n_t}&models=exact&samples=1801",
                 unity("curves[quantity=R].values", "curves[quantity=T].values"),
             )

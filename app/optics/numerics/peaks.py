@@ -11,12 +11,13 @@ from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-
 from numpy.typing import NDArray
 
 from app.optics.parameters import Array
 
 _HILLS = 3
+_SUMMITS, _DIVISIONS, _ACROSS = 8, 16, 7
+_STILL = 1.001  # a modulus that still grows by more when it should stand is that of a pole
 _DENSE = 61
 # A product of so few rows is too small for BLAS to wake its threads, which would cost more.
 _ROWS = 256
@@ -83,6 +84,80 @@ def _hills(heights: Array) -> NDArray[np.intp]:
     padded = np.pad(heights, ((0, 0), (1, 1)), constant_values=-1.0)
     hill = (heights >= padded[:, :-2]) & (heights >= padded[:, 2:])
     return np.argsort(np.where(hill, -heights, 1.0), axis=1, kind="stable")[:, :_HILLS]
+
+
+class Summit(NamedTuple):
+    """Value of largest modulus over a rectangle, and where it is."""
+
+    value: float
+    x: float
+    y: float
+
+
+def summit(
+    function: Callable[[Array, Array], Array], x: tuple[float, float], y: tuple[float, float]
+) -> Summit | None:
+    """Find the value of largest modulus over a rectangle.
+
+    The rectangle is sampled, more densely toward its lower ends, and around the highest samples it is
+    divided again and again.
+
+    Parameters
+    ----------
+    function
+        Values at x and y of one shape, of that shape; NaN and infinite where it has none.
+    x, y
+        Ends of the sides, included.
+
+    Returns
+    -------
+    Summit or None
+        None where the function has no value, or grows without bound.
+    """
+    sides = [_dense_at_the_low_end(*x), _dense_at_the_low_end(*y)]
+    height = _heights(function(*np.meshgrid(*sides)))
+    rows, columns = height.shape
+    padded = np.pad(height, 1, constant_values=-1.0)
+    around = [padded[i : i + rows, j : j + columns] for i in range(3) for j in range(3)]
+    hills = np.flatnonzero((height >= np.max(around, axis=0)) & (height >= 0.0))
+    if hills.size == 0:
+        return None
+    hills = hills[np.argsort(-height.ravel()[hills], kind="stable")][:_SUMMITS]
+    row, column = np.unravel_index(hills, height.shape)
+    at_x, at_y = sides[0][column], sides[1][row]
+    reach_x, reach_y = _steps(sides[0])[column], _steps(sides[1])[row]
+    offsets = np.linspace(-1.0, 1.0, _ACROSS)
+    dx, dy = (offset.ravel() for offset in np.meshgrid(offsets, offsets))
+    tops: list[Summit] = []
+    for _ in range(_DIVISIONS):
+        near_x = np.clip(at_x[:, np.newaxis] + reach_x[:, np.newaxis] * dx, *x)
+        near_y = np.clip(at_y[:, np.newaxis] + reach_y[:, np.newaxis] * dy, *y)
+        values = function(near_x, near_y)
+        height = _heights(values)
+        top = np.arange(len(hills)), np.argmax(height, axis=1)
+        at_x, at_y = near_x[top], near_y[top]
+        reach_x, reach_y = reach_x * (3.0 / _ACROSS), reach_y * (3.0 / _ACROSS)
+        best = int(np.argmax(height[top]))
+        tops.append(Summit(float(values[top][best]), float(at_x[best]), float(at_y[best])))
+    grown = abs(tops[-1].value) > _STILL * abs(tops[-1 - _DIVISIONS // 4].value)
+    return None if grown else tops[-1]
+
+
+def _heights(values: Array) -> Array:
+    """Moduli, -1 where there is none."""
+    return np.nan_to_num(np.abs(values), nan=-1.0, posinf=-1.0)
+
+
+def _steps(side: Array) -> Array:
+    """Width of a side's samples."""
+    return np.gradient(side) if side.size > 1 else np.zeros(1)
+
+
+def _dense_at_the_low_end(low: float, high: float) -> Array:
+    if low == high:
+        return np.array([low])
+    shares = np.union1d(np.linspace(0.0, 1.0, 33), np.geomspace(1e-5, 1.0, 16))
+    return np.minimum(low + (high - low) * shares, high)
 
 
 @cache

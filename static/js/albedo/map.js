@@ -57,7 +57,7 @@ export function sayLargest({ show, largest, largest_in_domain: inside, domains }
   const words = (found) =>
     found
       ? `${(show === "error" ? short : six)(found.value)} at n = ${plain(found.n_t, 3)}, k = ${plain(found.k_t, 3)}`
-      : "none";
+      : "without bound";
   if (show === "exact") return `Largest ${words(largest)}.`;
   if (domains.length === 0) return `Largest error ${words(largest)}.`;
   const what = show === "error" ? "Largest error" : "Largest albedo";
