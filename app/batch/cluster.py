@@ -7,6 +7,7 @@ from typing import Any
 import distributed
 import pyarrow as pa
 
+from app.batch.csv_blocks import Block
 from app.batch.files import evaluated
 
 # Batches under way for each thread of the workers: one computed, one on the way to it.
@@ -14,15 +15,15 @@ _FOR_EACH_THREAD = 2
 
 
 def on_cluster(
-    address: str, batches: Iterable[pa.RecordBatch], keep: Sequence[str]
-) -> Iterator[pa.RecordBatch]:
-    """Evaluate batches on a cluster whose workers have this program, and yield them in order.
+    address: str, blocks: Iterable[Block], keep: Sequence[str]
+) -> Iterator[tuple[Block, pa.RecordBatch]]:
+    """Evaluate blocks on a cluster whose workers have this program, and yield them in order.
 
     Parameters
     ----------
     address
         Of the scheduler, as `tcp://host:8786`.
-    batches
+    blocks
         Read no further ahead than the workers can take.
     keep
         As in `evaluated`.
@@ -34,10 +35,15 @@ def on_cluster(
     """
     with distributed.Client(address, timeout=10) as client:
         threads = max(1, sum(client.nthreads().values()))
-        under_way: deque[Any] = deque()
-        for batch in batches:
+        under_way: deque[tuple[Block, Any]] = deque()
+        for block in blocks:
             if len(under_way) >= _FOR_EACH_THREAD * threads:
-                yield under_way.popleft().result()
-            under_way.append(client.submit(evaluated, batch, keep, pure=False))
+                yield _done(*under_way.popleft())
+            asked = client.submit(evaluated, block.batch, keep, block.faults, pure=False)
+            under_way.append((block, asked))
         while under_way:
-            yield under_way.popleft().result()
+            yield _done(*under_way.popleft())
+
+
+def _done(block: Block, asked: Any) -> tuple[Block, pa.RecordBatch]:
+    return block, asked.result()

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pyarrow as pa
@@ -13,15 +14,16 @@ import pyarrow.csv
 import pyarrow.parquet
 
 from app.batch.arrow import WrongColumn, rows_of
+from app.batch.csv_blocks import Block, CsvBlocks
 from app.batch.evaluation import evaluate
-from app.batch.rows import NAMES, number_columns
+from app.batch.rows import NAMES, Fault, number_columns
 from app.optics.parameters import N_T, WAVELENGTH_NM
 from app.optics.registry import default_registry
 
 if TYPE_CHECKING:
     from typing import Protocol
 
-    class BatchWriter(AbstractContextManager[Any], Protocol):
+    class BatchWriter(Protocol):
         """What batches are written to."""
 
         def write_batch(self, batch: pa.RecordBatch) -> None:
@@ -31,8 +33,14 @@ if TYPE_CHECKING:
 SUFFIXES = (".csv", ".parquet")
 
 _ROWS = 65_536
-_BLOCK_BYTES = 4_000_000
 _ADDED = (("value", pa.float64()), ("error", pa.string()))
+
+
+class FileFault(Exception):
+    """A file that cannot be read or written, and why."""
+
+    def __init__(self, path: Path, error: Exception) -> None:
+        super().__init__(f"{path}: {error}")
 
 
 class RowsFile:
@@ -48,22 +56,29 @@ class RowsFile:
     Raises
     ------
     WrongColumn
-        If there is a column that is neither known nor to be kept, or one to be kept is not there.
-    pyarrow.ArrowException
-        If the file is none of its kind.
+        If there is a column that is neither known nor to be kept, one to be kept is not there, or
+        one is there twice.
+    FileFault
+        If the file cannot be read or is none of its kind.
     """
 
     def __init__(self, path: Path, keep: Sequence[str] = ()) -> None:
         self._path = path
         self._keep = tuple(keep)
-        self._known = set(number_columns(default_registry())) | set(NAMES)
-        if path.suffix == ".parquet":
-            with pa.parquet.ParquetFile(path) as file:
-                self.schema = file.schema_arrow
-                self.total = int(file.metadata.num_rows)
-        else:
-            self.schema = self._csv_schema()
-            self.total = path.stat().st_size
+        try:
+            if path.suffix == ".parquet":
+                with pa.parquet.ParquetFile(path) as file:
+                    self.schema = file.schema_arrow
+                    self.total = int(file.metadata.num_rows)
+            else:
+                self._csv = CsvBlocks(path, dict.fromkeys(self._keep, pa.string()) | _types())
+                self.schema = self._csv.schema
+                self.total = path.stat().st_size
+        except (pa.ArrowException, OSError) as error:
+            raise FileFault(path, error) from None
+        for name in self.schema.names:
+            if self.schema.names.count(name) > 1:
+                raise WrongColumn(name, "there twice")
         for name in self._keep:
             if name not in self.schema.names:
                 raise WrongColumn(name, "to be kept, but not there")
@@ -72,39 +87,48 @@ class RowsFile:
                 raise WrongColumn(name, "there already; it is what will be added")
         evaluated(pa.RecordBatch.from_pylist([], schema=self.schema), self._keep)
 
-    def batches(self) -> Iterator[tuple[pa.RecordBatch, int]]:
-        """Yield batches in order, each with how much of `total` has been read with it."""
-        if self._path.suffix == ".parquet":
-            with pa.parquet.ParquetFile(self._path, pre_buffer=False) as file:
-                done = 0
-                for batch in file.iter_batches(_ROWS, use_threads=False):
-                    done += batch.num_rows
-                    yield batch, done
-            return
-        with self._path.open("rb") as file, self._csv(file) as reader:
-            for batch in reader:
-                yield batch, file.tell()
+    def blocks(self) -> Iterator[Block]:
+        """Yield all rows in order.
 
-    def _csv_schema(self) -> pa.Schema:
-        with self._path.open("rb") as file, self._csv(file) as reader:
-            return reader.schema
+        Raises
+        ------
+        FileFault
+            If the file cannot be read any further.
+        """
+        try:
+            yield from self._parquet() if self._path.suffix == ".parquet" else self._csv.blocks()
+        except (pa.ArrowException, OSError) as error:
+            raise FileFault(self._path, error) from None
 
-    def _csv(self, file: Any) -> Any:
-        numbers = number_columns(default_registry())
-        types = {name: pa.float64() for name, p in numbers.items() if not p.choices}
-        types |= {name: pa.string() for name, p in numbers.items() if p.choices}
-        types |= dict.fromkeys((*NAMES, *self._keep), pa.string())
-        return pa.csv.open_csv(
-            file,
-            pa.csv.ReadOptions(use_threads=False, block_size=_BLOCK_BYTES),
-            convert_options=pa.csv.ConvertOptions(
-                column_types=types, null_values=[""], strings_can_be_null=True
-            ),
-        )
+    def _parquet(self) -> Iterator[Block]:
+        with pa.parquet.ParquetFile(self._path, pre_buffer=False) as file:
+            done = 0
+            for batch in file.iter_batches(_ROWS, use_threads=False):
+                places = np.arange(done + 1, done + 1 + batch.num_rows)
+                done += batch.num_rows
+                yield Block(batch, {}, places, done)
 
 
-def evaluated(batch: pa.RecordBatch, keep: Sequence[str] = ()) -> pa.RecordBatch:
+def _types() -> dict[str, pa.DataType]:
+    """How the columns are read that are known; numbers that have names may come by them."""
+    numbers = number_columns(default_registry()).items()
+    types = {name: pa.string() if p.choices else pa.float64() for name, p in numbers}
+    return types | dict.fromkeys(NAMES, pa.string())
+
+
+def evaluated(
+    batch: pa.RecordBatch, keep: Sequence[str] = (), faults: Mapping[int, Fault] | None = None
+) -> pa.RecordBatch:
     """Add the columns `value` and `error` to a batch.
+
+    Parameters
+    ----------
+    batch
+        The rows.
+    keep
+        Columns that are copied.
+    faults
+        What is known to be wrong with a row already.
 
     Raises
     ------
@@ -115,7 +139,9 @@ def evaluated(batch: pa.RecordBatch, keep: Sequence[str] = ()) -> pa.RecordBatch
     if N_T.name in asked and not {"material", "incident"}.intersection(asked):
         # A table of n and k over the wavelength: nothing in it is looked up there.
         asked = [name for name in asked if name != WAVELENGTH_NM.name]
-    outcome = evaluate(rows_of(batch.select(asked), default_registry()), default_registry())
+    rows = rows_of(batch.select(asked), default_registry())
+    rows = replace(rows, faults={**rows.faults, **(faults or {})})
+    outcome = evaluate(rows, default_registry())
     errors = pa.nulls(batch.num_rows, pa.string())
     if outcome.faults:
         told = np.full(batch.num_rows, None, dtype=object)
@@ -136,18 +162,55 @@ def added(schema: pa.Schema) -> pa.Schema:
 
 @contextmanager
 def writing(path: Path, schema: pa.Schema) -> Iterator[BatchWriter]:
-    """Write batches to a file, which is there when all have been written and not before."""
+    """Write batches to a file, which is there when all have been written and not before.
+
+    Raises
+    ------
+    FileFault
+        If the file cannot be written; what else goes wrong meanwhile is not blamed on it.
+    """
     part = path.with_name(f"{path.name}.part")
     kind = pa.parquet.ParquetWriter if path.suffix == ".parquet" else pa.csv.CSVWriter
     try:
-        with kind(str(part), schema) as writer:
-            yield writer
-        part.replace(path)
+        with _blamed_on(path):
+            writer = kind(str(part), schema)
+        try:
+            yield _Writer(writer, path)
+        except BaseException:
+            with suppress(OSError, pa.ArrowException):
+                writer.close()
+            raise
+        with _blamed_on(path):
+            writer.close()
+            part.replace(path)
     finally:
         part.unlink(missing_ok=True)
 
 
-def in_order(batches: Iterable[pa.RecordBatch], keep: Sequence[str]) -> Iterator[pa.RecordBatch]:
-    """Evaluate batches here, one after the other."""
-    for batch in batches:
-        yield evaluated(batch, keep)
+class _Writer:
+    """A writer whose faults are those of the file that is written."""
+
+    def __init__(self, writer: BatchWriter, path: Path) -> None:
+        self._writer = writer
+        self._path = path
+
+    def write_batch(self, batch: pa.RecordBatch) -> None:
+        """Append a batch."""
+        with _blamed_on(self._path):
+            self._writer.write_batch(batch)
+
+
+@contextmanager
+def _blamed_on(path: Path) -> Iterator[None]:
+    try:
+        yield
+    except (pa.ArrowException, OSError) as error:
+        raise FileFault(path, error) from None
+
+
+def in_order(
+    blocks: Iterable[Block], keep: Sequence[str]
+) -> Iterator[tuple[Block, pa.RecordBatch]]:
+    """Evaluate blocks here, one after the other."""
+    for block in blocks:
+        yield block, evaluated(block.batch, keep, block.faults)

@@ -3,14 +3,23 @@
 from __future__ import annotations
 
 import importlib.util
-from collections.abc import Iterator
+import signal
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from types import FrameType
 from typing import TYPE_CHECKING, Annotated
 
+import numpy as np
 import typer
 
 if TYPE_CHECKING:
     import pyarrow as pa
+
+    from app.batch.csv_blocks import Block
+
+_MOST_TOLD = 10
+"""Rows that are wrong and told one by one; the column `error` has them all."""
 
 
 def evaluate(
@@ -35,15 +44,20 @@ def evaluate(
         str | None, typer.Option(help="Address of a Dask scheduler whose workers evaluate.")
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Overwrite the output.")] = False,
+    strict: Annotated[
+        bool, typer.Option("--strict", help="Write nothing if any row is wrong.")
+    ] = False,
 ) -> None:
-    """Add to each row of FILE its value, or what is wrong with it, in constant memory."""
+    """Add to each row of FILE its value, or what is wrong with it, in constant memory.
+
+    A row that is wrong does not keep the others from their answers: it is told on standard error with
+    its line, and the command ends with status 1.
+    """
     _require("pyarrow", "arrow")
     if scheduler is not None:
         _require("distributed", "cluster")
-    import pyarrow as pa
-
     from app.batch.arrow import WrongColumn
-    from app.batch.files import SUFFIXES, RowsFile, added, in_order, writing
+    from app.batch.files import SUFFIXES, FileFault, RowsFile, added, in_order, writing
 
     output = output or file.with_name(f"{file.stem}-evaluated{file.suffix}")
     for path, name in ((file, "FILE"), (output, "--output")):
@@ -53,26 +67,63 @@ def evaluate(
         raise typer.BadParameter(f"{output} is there; --force overwrites it", param_hint="--output")
     try:
         rows = RowsFile(file, keep or ())
-        with _Progress(rows.total, unit="rows" if file.suffix == ".parquet" else "bytes") as shown:
-            batches = shown.along(rows.batches())
-            results = in_order(batches, keep or ())
+        is_parquet = file.suffix == ".parquet"
+        with (
+            _ended_by_signals(),
+            _Progress(rows.total, "row" if is_parquet else "line") as shown,
+            writing(output, added(rows.schema)) as writer,
+        ):
+            blocks = shown.along(rows.blocks())
+            results = in_order(blocks, keep or ())
             if scheduler is not None:
                 from app.batch.cluster import on_cluster
 
-                results = on_cluster(scheduler, batches, keep or ())
-            with writing(output, added(rows.schema)) as writer:
-                for result in results:
-                    writer.write_batch(result)
-                    shown.count(result)
+                results = on_cluster(scheduler, blocks, keep or ())
+            for block, result in results:
+                shown.count(block, result)
+                if strict and shown.wrong:
+                    raise _Wrong
+                writer.write_batch(result)
     except WrongColumn as error:
         raise typer.BadParameter(str(error), param_hint="FILE") from None
-    except (pa.ArrowException, OSError) as error:
-        typer.echo(f"{file}: {error}", err=True)
+    except FileFault as error:
+        typer.echo(error, err=True)
+        raise typer.Exit(1) from None
+    except OSError as error:
+        typer.echo(f"{scheduler}: {error}", err=True)
+        raise typer.Exit(1) from None
+    except _Wrong:
+        shown.tell(file)
+        typer.echo(f"{output} was not written (--strict)", err=True)
         raise typer.Exit(1) from None
     typer.echo(f"{shown.rows} rows in {output}")
     if shown.wrong:
+        shown.tell(file)
         typer.echo(f"{shown.wrong} of them are wrong: see the column error", err=True)
         raise typer.Exit(1)
+
+
+class _Wrong(Exception):
+    """A row that is wrong although none may be."""
+
+
+@contextmanager
+def _ended_by_signals() -> Iterator[None]:
+    """End by what SIGTERM and SIGHUP ask for as by an error, so that nothing half done stays."""
+
+    def end(number: int, _: FrameType | None) -> None:
+        raise SystemExit(128 + number)
+
+    asked = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    # What is ignored, as SIGHUP is below nohup, stays so.
+    taken = [number for number in asked if signal.getsignal(number) == signal.SIG_DFL]
+    for number in taken:
+        signal.signal(number, end)
+    try:
+        yield
+    finally:
+        for number in taken:
+            signal.signal(number, signal.SIG_DFL)
 
 
 def _require(package: str, extra: str) -> None:
@@ -96,6 +147,8 @@ class _Progress:
             console=Console(stderr=True),
         )
         self._task = self._bar.add_task(unit, total=total, rows=0)
+        self._unit = unit
+        self._told: list[str] = []
         self.rows = 0
         self.wrong = 0
 
@@ -106,15 +159,27 @@ class _Progress:
     def __exit__(self, *_: object) -> None:
         self._bar.stop()
 
-    def along(self, batches: Iterator[tuple[pa.RecordBatch, int]]) -> Iterator[pa.RecordBatch]:
-        """Pass batches on while the bar follows how far the file has been read."""
-        for batch, done in batches:
-            self._bar.update(self._task, completed=done)
-            yield batch
+    def along(self, blocks: Iterable[Block]) -> Iterator[Block]:
+        """Pass blocks on while the bar follows how far the file has been read."""
+        for block in blocks:
+            self._bar.update(self._task, completed=block.done)
+            yield block
 
-    def count(self, result: pa.RecordBatch) -> None:
-        """Count the rows of a batch and those that are wrong."""
+    def count(self, block: Block, result: pa.RecordBatch) -> None:
+        """Count the rows of a block and those that are wrong, and note where the first ones are."""
         errors = result.column("error")
         self.rows += result.num_rows
-        self.wrong += result.num_rows - errors.null_count
+        wrong = result.num_rows - errors.null_count
+        if wrong and len(self._told) < _MOST_TOLD:
+            which = np.flatnonzero(errors.is_valid().to_numpy(zero_copy_only=False))
+            for row in which[: _MOST_TOLD - len(self._told)].tolist():
+                self._told.append(f"{self._unit} {block.places[row]}: {errors[row].as_py()}")
+        self.wrong += wrong
         self._bar.update(self._task, rows=self.rows)
+
+    def tell(self, file: Path) -> None:
+        """Say on standard error what is wrong with the first rows that are."""
+        for text in self._told:
+            typer.echo(f"{file}, {text}", err=True)
+        if self.wrong > len(self._told):
+            typer.echo(f"and {self.wrong - len(self._told)} more", err=True)

@@ -1,8 +1,10 @@
 """`fresnel-explorer evaluate`: files of rows, on this machine and on a cluster."""
 
 import re
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import distributed
@@ -136,15 +138,147 @@ def test_what_cannot_be_read_is_told(rows: Path, tmp_path: Path) -> None:
     assert run(rows, "--keep", "other")[0] == 2
     assert run(tmp_path / "none.csv")[0] == 2
     assert run(rows, "--output", tmp_path / "x.txt", "--keep", "pixel")[0] == 2
-    words = tmp_path / "words.csv"
-    words.write_text("n_t\n1.5\nglass\n")
-    code, printed = run(words)
-    assert (code, "glass" in printed) == (1, True)
+    empty = tmp_path / "empty.csv"
+    empty.touch()
+    assert run(empty)[0] == 1
     nothing = tmp_path / "nothing.parquet"
     nothing.write_bytes(b"nothing")
     assert run(nothing)[0] == 1
     assert not list(tmp_path.glob("*evaluated*"))
     assert "Traceback" not in printed
+
+
+def test_a_column_that_is_there_twice_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "rows.csv"
+    path.write_text("n_t,pixel,pixel\n1.5,1,2\n")
+    for arguments in ((), ("--keep", "pixel")):
+        code, printed = run(path, *arguments)
+        assert (code, "pixel: there twice" in printed) == (2, True)
+    pq = tmp_path / "rows.parquet"
+    pa.parquet.write_table(pa.table([[1.5], [1], [2]], ["n_t", "pixel", "pixel"]), pq)
+    code, printed = run(pq, "--keep", "pixel")
+    assert (code, "pixel: there twice" in printed) == (2, True)
+
+
+BAD_CELLS = """\
+n_t,k_t,model,pixel
+1.5,0,,"two
+lines"
+
+glass,0,,b
+1.5,,schlick,c
+1.5,0
+1.5,1_0,,e
+1.5,0,,"f
+2.0,0,,g
+-1,0,,h
+"""
+
+
+def test_a_row_that_cannot_be_read_is_told_with_its_line_and_the_others_are_answered(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "rows.csv"
+    path.write_bytes(BAD_CELLS.encode() + b"1.5,0,,\xff\n")
+    code, printed = run(path, "--keep", "pixel")
+    assert code == 1
+    table = read(tmp_path / "rows-evaluated.csv")
+    glass = pytest.approx(0.04, rel=1e-12)
+    two = pytest.approx(1.0 / 9.0, rel=1e-12)
+    assert table["value"].to_pylist() == [glass, None, glass, None, None, None, two, None, None]
+    assert table["pixel"].to_pylist() == ["two\nlines", "b", "c", None, "e", None, "g", "h", None]
+    wrong = [
+        (5, "n_t = glass: no number"),
+        (7, "row = 1.5,0: 2 cells where the header has 4"),
+        (8, "k_t = 1_0: no number"),
+        (9, 'row = 1.5,0,,"f: '),
+        (11, "n_t = -1.0: "),
+        (12, "row = 1.5,0,,\N{REPLACEMENT CHARACTER}: no UTF-8"),
+    ]
+    told = [error for error in table["error"].to_pylist() if error is not None]
+    for error, (line, start) in zip(told, wrong, strict=True):
+        assert error.startswith(start)
+        assert f"rows.csv, line {line}: {start}" in printed
+    assert "9 rows in" in printed
+    assert "6 of them are wrong" in printed
+
+
+def test_a_wrong_cell_far_down_costs_one_row(tmp_path: Path) -> None:
+    """Beyond the first block, whose size no row's end fits."""
+    count, at = 700_000, 654_321
+    cells = ["1.500000"] * count
+    cells[at] = "glass"
+    path = tmp_path / "rows.csv"
+    path.write_text("\n".join(["n_t", *cells]))
+    code, printed = run(path, "--output", tmp_path / "out.parquet")
+    assert (code, f"line {at + 2}: n_t = glass: no number" in printed) == (1, True)
+    table = read(tmp_path / "out.parquet")
+    assert table.num_rows == count
+    assert [table[name].null_count for name in ("value", "error")] == [1, count - 1]
+    assert table["value"][at].as_py() is None
+
+
+def test_rows_of_parquet_are_told_by_number(tmp_path: Path) -> None:
+    path = tmp_path / "rows.parquet"
+    n_t = np.full(70_000, 1.5)
+    n_t[[66_000, 69_999]] = -1.0
+    pa.parquet.write_table(pa.table({"n_t": n_t}), path)
+    code, printed = run(path)
+    assert code == 1
+    assert "row 66001: n_t = -1.0" in printed
+    assert "row 70000: n_t = -1.0" in printed
+
+
+def test_many_wrong_rows_are_counted(tmp_path: Path) -> None:
+    path = tmp_path / "rows.csv"
+    path.write_text("n_t\n" + "x\n" * 5000)
+    printed = run(path)[1]
+    assert printed.count("n_t = x: no number") == 10
+    assert "and 4990 more" in printed
+
+
+def test_strict_refuses_a_file_with_a_wrong_row(rows: Path) -> None:
+    output = rows.with_name("out.csv")
+    code, printed = run(rows, "--keep", "pixel", "--output", output, "--strict")
+    assert (code, list(rows.parent.glob("out*"))) == (1, [])
+    assert "line 5: n_t = -3.0" in printed
+    assert "was not written" in printed
+    rows.write_text("n_t\n1.5\n")
+    assert run(rows, "--output", output, "--strict")[0] == 0
+    assert output.exists()
+
+
+def test_a_full_disk_is_blamed_on_the_output(rows: Path) -> None:
+    output = rows.with_name("out.csv")
+    output.with_name("out.csv.part").symlink_to("/dev/full")
+    code, printed = run(rows, "--keep", "pixel", "--output", output)
+    assert code == 1
+    assert f"{output}: " in printed
+    assert "No space left on device" in printed
+    assert f"{rows}: " not in printed
+    assert not list(rows.parent.glob("out*"))
+
+
+def test_a_folder_that_is_not_there_is_blamed_on_the_output(rows: Path) -> None:
+    output = rows.with_name("nowhere") / "out.parquet"
+    code, printed = run(rows, "--keep", "pixel", "--output", output)
+    assert (code, f"{output}: " in printed, f"{rows}: " in printed) == (1, True, False)
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_nothing_half_done_stays_after_a_signal(tmp_path: Path, number: signal.Signals) -> None:
+    path, part = tmp_path / "rows.csv", tmp_path / "rows-evaluated.csv.part"
+    path.write_text("n_t,theta_i_deg\n" + "1.5,30\n" * 5_000_000)
+    with subprocess.Popen(
+        [sys.executable, "-c", "from app.cli.main import main; main()", "evaluate", str(path)],
+        stderr=subprocess.DEVNULL,
+    ) as process:
+        while not part.exists():
+            assert process.poll() is None
+            time.sleep(0.01)
+        process.send_signal(number)
+        assert process.wait() == 128 + number
+    assert list(tmp_path.iterdir()) == [path]
 
 
 def test_nothing_is_overwritten_unasked(rows: Path) -> None:
@@ -172,6 +306,7 @@ def test_a_scheduler_that_is_not_there(rows: Path) -> None:
     code, printed = run(rows, "--keep", "pixel", "--scheduler", "tcp://127.0.0.1:9")
     assert code == 1
     assert "127.0.0.1:9" in printed
+    assert f"{rows}: " not in printed
 
 
 def test_memory_does_not_grow_with_the_file(tmp_path: Path) -> None:
