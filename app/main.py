@@ -74,6 +74,7 @@ class _Application(FastAPI):
             app,
             target_bytes=settings.max_target_bytes,
             header_bytes=settings.max_header_bytes,
+            read_timeout_s=settings.read_timeout_s,
             write_timeout_s=settings.write_timeout_s,
         )
         app = CommonHeaders(app, api=(f"{PREFIX}/", "/openapi.json"), documents=document_headers)

@@ -69,10 +69,16 @@ class Settings(BaseSettings):
         ge=1,
         description="Most connections at a time; beyond, requests are answered with 503.",
     )
+    read_timeout_s: float = Field(
+        30.0,
+        gt=0.0,
+        description="How far a client may fall behind 100 kB a second in sending a body, in seconds.",
+    )
     write_timeout_s: float = Field(
         30.0,
         gt=0.0,
-        description="How long a client may read nothing of a large answer, in seconds.",
+        description="How far a client may fall behind 100 kB a second in reading a large answer, in "
+        "seconds.",
     )
     keep_alive_s: int = Field(
         5, ge=0, description="How long a connection stays open after an answer, in seconds."

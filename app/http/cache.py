@@ -19,7 +19,8 @@ Key = tuple[str, bytes]
 class _Collected:
     """An answer as the application sent it."""
 
-    status: int = 500
+    status: int | None = None
+    """None until the answer begins."""
     headers: Headers = field(default_factory=list)
     body: bytes = b""
 
@@ -86,7 +87,7 @@ class AnswerCache:
         try:
             await self.app(scope, receive, collected.take)
         finally:  # what is said of a crash is sent before the crash goes on to the log
-            if collected.status != 200:
+            if collected.status is not None and collected.status != 200:
                 await _send(collected.status, collected.headers, collected.body, send)
         if collected.status == 200:
             headers = [h for h in collected.headers if h[0] != b"content-length"]

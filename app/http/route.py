@@ -20,7 +20,7 @@ from starlette.responses import Response
 from app.http.body import Effort
 from app.http.problems import MOST_ERRORS, BadParameters, ParameterError, unknown_parameter
 from app.http.query import QueryModel
-from app.http.serving import Serving
+from app.http.serving import ClientGone, Serving, Unsent
 from app.http.writing import write
 from app.optics.meant import instead
 
@@ -88,7 +88,11 @@ class QueryRoute(APIRoute):
                 return work()
             query.refuse_beyond(serving.max_samples, serving.max_cells)
             if query.takes_long:
-                return await serving.shared((scope["path"], scope["query_string"]), work)
+                try:
+                    key = scope["path"], scope["query_string"]
+                    return await serving.shared(key, work, request.receive)
+                except ClientGone:
+                    return Unsent()
             return work()
 
         return handle

@@ -44,7 +44,8 @@ class Pool:
         function
             The computation, or a part of one.
         let_in
-            Whether it goes on with what was begun, and waits in however long a queue.
+            Whether it goes on with what was begun, and waits in however long a queue for however
+            long: an answer is not cut in the middle because others have to be computed too.
 
         Raises
         ------
@@ -60,7 +61,8 @@ class Pool:
         self._under_way.add(future)
         future.add_done_callback(self._under_way.discard)
         try:
-            return await asyncio.wait_for(asyncio.wrap_future(future), self._timeout_s)
+            timeout_s = None if let_in else self._timeout_s
+            return await asyncio.wait_for(asyncio.wrap_future(future), timeout_s)
         except TimeoutError:
             limit = f"the computation took longer than {self._timeout_s:g} s (FRESNEL_TIMEOUT_S)"
             raise Overloaded(limit, retry_after_s=10) from None

@@ -6,9 +6,10 @@ import re
 import resource
 import socket
 import threading
+import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from http.client import HTTPConnection
 from typing import Any, Literal
 
@@ -23,6 +24,7 @@ from app.server.run import allow_open_files, parser
 from app.settings import Settings
 from tests.api.raw import Answer, send
 from tests.api.wire import Address, exchange, get, received, served
+from tests.serve.command import wait_for
 
 API = b"/api/v1"
 HEALTH = API + b"/health"
@@ -159,8 +161,18 @@ class TestProxies:
         assert answer.headers["location"] == f"{scheme}://test/docs/"
 
 
+async def no_body() -> Message:
+    return {"type": "http.disconnect"}
+
+
 def bounded(app: ASGIApp, write_timeout_s: float) -> Bounded:
-    return Bounded(app, target_bytes=200, header_bytes=1000, write_timeout_s=write_timeout_s)
+    return Bounded(
+        app,
+        target_bytes=200,
+        header_bytes=1000,
+        read_timeout_s=30.0,
+        write_timeout_s=write_timeout_s,
+    )
 
 
 class TestUnreadAnswers:
@@ -184,11 +196,8 @@ class TestUnreadAnswers:
                 await asyncio.Event().wait()
             sent.append(message)
 
-        async def receive() -> Message:
-            return {"type": "http.disconnect"}
-
         scope = {"type": "http", "path": path, "raw_path": b"", "query_string": b"", "headers": []}
-        asyncio.run(bounded(self.app, 0.05)(scope, receive, take))
+        asyncio.run(bounded(self.app, 0.05)(scope, no_body, take))
         return sent
 
     @pytest.mark.parametrize("path", ["/with/length", "/streamed"])
@@ -205,6 +214,26 @@ class TestUnreadAnswers:
     @pytest.mark.parametrize("messages", [0, 1, 3])
     def test_one_who_reads_nothing_more_is_given_up(self, path: str, messages: int) -> None:
         assert len(self.sent_to(lambda sent: sent < messages, path)) == messages
+
+    def test_one_who_reads_a_little_now_and_then_is_given_up(self) -> None:
+        """The whole counts, not the pause."""
+
+        async def app(_: Scope, __: Receive, send: Send) -> None:
+            await send({"type": "http.response.start", "status": 200, "headers": []})
+            for ___ in range(200):
+                part = {"type": "http.response.body", "body": b"0123456789", "more_body": True}
+                await send(part)
+
+        sent = 0
+
+        async def take(_: Message) -> None:
+            nonlocal sent
+            await asyncio.sleep(0.01)
+            sent += 1
+
+        scope = {"type": "http", "path": "/", "raw_path": b"", "query_string": b"", "headers": []}
+        asyncio.run(bounded(app, 0.1)(scope, no_body, take))
+        assert 3 < sent < 100
 
     def test_the_connection_is_closed_then(self) -> None:
         body = bytes(30_000_000)  # more than the system's own buffers hold
@@ -227,6 +256,92 @@ class TestUnreadAnswers:
             assert given_up.wait(PATIENCE_S)
             taken = sum(len(part) for part in iter(lambda: connection.recv(1_000_000), b""))
         assert taken < len(body)
+
+
+class TestSlowBodies:
+    @pytest.mark.parametrize("http", PARSERS)
+    def test_one_that_trickles_is_not_waited_for(self, http: Parser) -> None:
+        head = b"POST /api/v1/evaluate" + HOST + b"Content-Length: 1000\r\n\r\n"
+        with (
+            served(settings=Settings(http=http, read_timeout_s=0.3)) as address,
+            socket.create_connection(address, timeout=PATIENCE_S) as connection,
+        ):
+            connection.sendall(head)
+            connection.settimeout(0.05)
+            for _ in range(200):
+                connection.sendall(b"x")
+                with suppress(TimeoutError):
+                    assert connection.recv(12) == b"HTTP/1.1 408"
+                    break
+            connection.settimeout(PATIENCE_S)
+            answer = received(connection, b"HTTP/1.1 408")
+        refused(answer, 408, "FRESNEL_READ_TIMEOUT_S")
+
+    def test_one_that_comes_is_taken_however_long_it_takes(self) -> None:
+        """At 200 kB a second, twice as fast as has to be."""
+        body = json.dumps({"items": [{"n_t": 1.5}]}).encode().ljust(100_000)
+        head = b"POST /api/v1/evaluate" + HOST + CLOSE + b"Content-Length: 100000\r\n\r\n"
+        with (
+            served(settings=Settings(read_timeout_s=0.2)) as address,
+            socket.create_connection(address, timeout=PATIENCE_S) as connection,
+        ):
+            connection.sendall(head)
+            for start in range(0, 100_000, 10_000):
+                time.sleep(0.05)
+                connection.sendall(body[start : start + 10_000])
+            assert received(connection).status == 200
+
+
+class TestGoneClients:
+    """Who has hung up is not computed for."""
+
+    @pytest.mark.parametrize("http", PARSERS)
+    @pytest.mark.parametrize("method", ["GET", "HEAD", "POST"])
+    def test_what_nobody_waits_for_leaves_the_queue(
+        self, http: Parser, method: str, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        begun, go_on = threading.Semaphore(0), threading.Event()
+        run, asked = Pool.run, 0
+        computed: list[int] = []
+
+        def held(pool: Pool, function: Callable[[], Any], **how: Any) -> Any:
+            nonlocal asked
+            asked += 1
+            number = asked
+
+            def wait() -> Any:
+                computed.append(number)
+                begun.release()
+                assert go_on.wait(PATIENCE_S)
+                return function()
+
+            return run(pool, wait, **how)
+
+        monkeypatch.setattr(Pool, "run", held)
+        settings = Settings(http=http, threads=1, max_waiting=3)
+        with served(settings=settings) as address, ThreadPoolExecutor() as clients:
+            first = clients.submit(get, address, MAP % 70)
+            assert begun.acquire(timeout=PATIENCE_S)
+            with ExitStack() as leaving:
+                for steps in range(71, 74):
+                    one = leaving.enter_context(socket.create_connection(address, PATIENCE_S))
+                    target = MAP % steps if method != "POST" else b"/api/v1/evaluate"
+                    body = b'{"items": []}' if method == "POST" else b""
+                    length = b"Content-Length: %d\r\n\r\n" % len(body)
+                    one.sendall(method.encode() + b" " + target + HOST + length + body)
+                wait_for(lambda: asked == 4)
+                assert get(address, MAP % 74).status == 503  # the queue is full
+
+            def is_taken() -> bool:
+                try:
+                    return clients.submit(get, address, MAP % 75).result(0.3).status == 200
+                except TimeoutError:
+                    return True  # it waits
+
+            wait_for(is_taken)
+            go_on.set()
+            assert first.result().status == 200
+        assert not {2, 3, 4} & set(computed)
 
 
 class TestConnections:

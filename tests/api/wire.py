@@ -42,9 +42,9 @@ def exchange(address: Address, request: bytes) -> Answer:
         return received(connection)
 
 
-def received(connection: socket.socket) -> Answer:
-    """Read an answer until the server hangs up."""
-    data = b"".join(iter(lambda: connection.recv(65536), b""))
+def received(connection: socket.socket, data: bytes = b"") -> Answer:
+    """Read an answer, of which the beginning may have been read, until the server hangs up."""
+    data += b"".join(iter(lambda: connection.recv(65536), b""))
     head, _, body = data.partition(b"\r\n\r\n")
     status, *lines = head.decode("latin-1").split("\r\n")
     headers: Mapping[str, str] = {

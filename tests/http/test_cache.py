@@ -6,6 +6,7 @@ import threading
 import time
 import tracemalloc
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Annotated
 
 import pytest
@@ -14,13 +15,14 @@ from fastapi.routing import APIRoute
 from hypothesis import given
 from hypothesis import strategies as st
 from starlette.exceptions import HTTPException
-from starlette.types import Receive, Scope, Send
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 import app.answers.curves as answered
 from app.answers.interface import InterfaceFacts
 from app.answers.snell import Ray, ray
 from app.api import snell
 from app.api.params import InterfaceQuery
+from app.http.bounds import Bounded
 from app.http.cache import AnswerCache
 from app.http.route import QueryRoute
 from app.main import create_app
@@ -347,3 +349,65 @@ def test_equal_large_questions_at_a_time_are_computed_once(monkeypatch: pytest.M
 async def together(app: FastAPI, target: bytes, times: int) -> list[Answer]:
     """Ask the same several times at once."""
     return await asyncio.gather(*(exchange(app, target) for _ in range(times)))
+
+
+class TestCancelled:
+    """A request that is cancelled before its answer began; there is none to send."""
+
+    @staticmethod
+    async def cancelled(app: ASGIApp) -> list[Message]:
+        sent: list[Message] = []
+
+        async def take(message: Message) -> None:
+            sent.append(message)
+
+        scope = {
+            "type": "http",
+            "method": "GET",
+            "path": "/api/v1/x",
+            "raw_path": b"/api/v1/x",
+            "root_path": "",
+            "query_string": b"",
+            "headers": [],
+        }
+        task = asyncio.ensure_future(app(scope, no_more, take))
+        await asyncio.sleep(0.01)
+        task.cancel()
+        with suppress(asyncio.CancelledError):
+            await task
+        return sent
+
+    @staticmethod
+    async def waits(_: Scope, __: Receive, ___: Send) -> None:
+        await asyncio.Event().wait()
+
+    def test_the_cache_sends_nothing(self) -> None:
+        cache = AnswerCache(self.waits, prefix="/api/v1/", limit=1000, pool=Pool(1, 1, 1.0))
+        assert asyncio.run(self.cancelled(cache)) == []
+
+    def test_a_server_that_stops_says_so(self) -> None:
+        bounds = {"target_bytes": 200, "header_bytes": 1000}
+        app = Bounded(self.waits, **bounds, read_timeout_s=1.0, write_timeout_s=1.0)
+        start, body = asyncio.run(self.cancelled(app))
+        headers = dict(start["headers"])
+        assert start["status"] == 503
+        assert headers[b"retry-after"] == b"1"
+        assert headers[b"content-type"] == b"application/problem+json"
+        assert b"stops" in body["body"]
+
+
+async def no_more() -> Message:
+    return {"type": "http.disconnect"}
+
+
+def test_a_begun_answer_is_not_cut_because_the_pool_is_busy() -> None:
+    async def both() -> str:
+        pool = Pool(1, 1, 0.05)
+        busy = asyncio.create_task(pool.run(lambda: time.sleep(0.3)))
+        await asyncio.sleep(0)
+        part = await pool.run(lambda: "a part", let_in=True)
+        with pytest.raises(Overloaded):
+            await busy
+        return part
+
+    assert asyncio.run(both()) == "a part"

@@ -23,6 +23,7 @@ from app.api.evaluate.pieces import MOST_VALUES, Piece, Questions, TooManyValues
 from app.batch.evaluation import evaluate
 from app.http.query import DigitsQuery
 from app.http.route import refuse_unknown_and_repeated
+from app.http.serving import ClientGone, Unsent, unless_gone
 from app.optics.registry import Registry
 from app.server.pool import Pool
 
@@ -66,12 +67,13 @@ def router(registry: Registry, pool: Pool, body_bytes: int) -> APIRouter:
         writer = WRITERS[_kind_of_answer(request, kind)]
         try:
             async with bodies.of(request) as body:
-                questions = await pool.run(partial(readers[kind], body))
+                read = pool.run(partial(readers[kind], body))
+                questions = await unless_gone(request.receive, read)
         except TooManyValues:
             detail = f"more than {MOST_VALUES} values are asked for; send them in several calls"
             raise HTTPException(413, detail) from None
-        except ClientDisconnect:
-            return Response(status_code=400)  # nobody is there to read it
+        except (ClientDisconnect, ClientGone):
+            return Unsent()
         chunks = _streamed(questions, writer, registry, pool, query.digits)
         response = StreamingResponse(chunks, media_type=writer.media_type)
         response.raw_headers += [(b"cache-control", b"no-store")]
