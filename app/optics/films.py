@@ -252,6 +252,8 @@ def _amplitudes(sheets: Sheets, incidence: Incidence) -> tuple[Complex, ...]:
         # A grazing ray that meets no boundary goes on.
         found += [_complex(r), np.where(passage.S2 == 0.0, 1.0, t)]
     r_s, t_s, r_p, t_p = found
+    # Along the normal both are the same wave, to the last bit of a phase of 180 degrees.
+    r_p = np.where(incidence.sin == 0.0, -r_s, r_p)
     eta, kappa, _ = sheets.substrate.relative
     N_t = np.asarray(eta) + 1j * np.asarray(kappa)
     return r_s, r_p, t_s, t_p * (1.0 + 1j * sheets.kappa_i) / N_t
