@@ -17,11 +17,17 @@ from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
+from app.optics.quantities import QUANTITIES
 from app.optics.registry import Model
-from app.optics.snell import penetration_depth_wavelengths, refraction_angle_deg
 
 COLORS = ("R_red", "R_green", "R_blue")
 """Quantities of a model that is given a color."""
+
+_REFRACTION = (
+    "theta_t_deg",
+    "penetration_depth_wavelengths",
+    "field_penetration_depth_wavelengths",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +106,7 @@ def curves(
     samples, landmarks
         The angles, as `sampled_incidence` takes them.
     phase, refraction
-        Whether to add the phases of `exact`, and the angle and depth of its refracted wave.
+        Whether to add the phases of `exact`, and the angle and depths of its refracted wave.
     """
     incidence = sampled_incidence(interface, samples, landmarks)
     found: list[Curve] = []
@@ -167,5 +173,5 @@ def _exact(
         yield "phase_s_deg", phase_deg(amplitude.r_s)
         yield "phase_p_deg", phase_deg(amplitude.r_p)
     if refraction:
-        yield "theta_t_deg", refraction_angle_deg(interface, incidence)
-        yield "penetration_depth_wavelengths", penetration_depth_wavelengths(interface, incidence)
+        for name in _REFRACTION:
+            yield name, QUANTITIES[name](interface, incidence)

@@ -11,6 +11,7 @@ from app.optics.amplitudes import amplitudes, phase_deg, power
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.snell import (
+    field_penetration_depth_wavelengths,
     is_totally_reflected,
     penetration_depth_wavelengths,
     refraction_angle_deg,
@@ -65,6 +66,8 @@ class Ray:
     T: float
     penetration_depth_wavelengths: float | None
     """Depth of 1/e of the power in vacuum wavelengths; null if undamped."""
+    field_penetration_depth_wavelengths: float | None
+    """Depth of 1/e of the field, twice that of the power: the penetration depth of ATR."""
 
 
 def ray(interface: Interface, incidence: Incidence) -> Ray:
@@ -95,5 +98,8 @@ def ray(interface: Interface, incidence: Incidence) -> Ray:
         T=float(energy.T),
         penetration_depth_wavelengths=number_or_none(
             penetration_depth_wavelengths(interface, incidence)
+        ),
+        field_penetration_depth_wavelengths=number_or_none(
+            field_penetration_depth_wavelengths(interface, incidence)
         ),
     )

@@ -23,7 +23,9 @@ class CurvesQuery(ModelsQuery, TableQuery, SamplesQuery, InterfaceQuery):
 
     phase: bool = Field(False, description="Add phase_s_deg and phase_p_deg of `exact`.")
     refraction: bool = Field(
-        False, description="Add theta_t_deg and penetration_depth_wavelengths of `exact`."
+        False,
+        description="Add of `exact` theta_t_deg, penetration_depth_wavelengths, at which the power "
+        "has fallen to 1/e, and field_penetration_depth_wavelengths, the field's, twice as deep.",
     )
 
     @property

@@ -6,7 +6,11 @@ from app.optics.amplitudes import amplitudes, phase_deg, power, reflectance
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
-from app.optics.snell import penetration_depth_wavelengths, refraction_angle_deg
+from app.optics.snell import (
+    field_penetration_depth_wavelengths,
+    penetration_depth_wavelengths,
+    refraction_angle_deg,
+)
 
 QUANTITIES: Mapping[str, Callable[[Interface, Incidence], Array]] = {
     "R": reflectance,
@@ -19,5 +23,6 @@ QUANTITIES: Mapping[str, Callable[[Interface, Incidence], Array]] = {
     "phase_p_deg": lambda interface, incidence: phase_deg(amplitudes(interface, incidence).r_p),
     "theta_t_deg": refraction_angle_deg,
     "penetration_depth_wavelengths": penetration_depth_wavelengths,
+    "field_penetration_depth_wavelengths": field_penetration_depth_wavelengths,
 }
 """Quantities of the exact solution, NaN where there is none; every other model has R alone."""

@@ -102,6 +102,7 @@ interface Snell {
   Tp: number;
   T: number;
   penetration_depth_wavelengths: number | null;
+  field_penetration_depth_wavelengths: number | null;
 }
 
 interface Catalog {

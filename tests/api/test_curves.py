@@ -164,6 +164,8 @@ def test_refraction_is_null_where_there_is_none(ask: Ask) -> None:
     angle, depth = values["exact.theta_t_deg"], values["exact.penetration_depth_wavelengths"]
     assert [value is None for value in angle] == beyond.tolist()
     assert [value is None for value in depth] == (~beyond).tolist()
+    field = values["exact.field_penetration_depth_wavelengths"]
+    assert field == [value and pytest.approx(2.0 * value, rel=1e-15) for value in depth]
     metal = by_name(curves(ask, n_t=0.2, k_t=3.0, samples=10, refraction="true"))
     assert None not in metal["exact.theta_t_deg"]
     assert None not in metal["exact.penetration_depth_wavelengths"]

@@ -95,6 +95,7 @@ def test_exact_values_beside_thirty_digits(post: Post) -> None:
     ]
     quantities = {name: name for name in ("R", "Rs", "Rp", "T", "Ts", "Tp")}
     quantities |= {"penetration_depth_wavelengths": "depth", "theta_t_deg": "theta_t_deg"}
+    quantities |= {"field_penetration_depth_wavelengths": "field_depth"}
     items = [
         dict(zip(("n_i", "n_t", "k_t", "theta_i_deg"), ray, strict=True)) | {"quantity": quantity}
         for ray in rays

@@ -49,6 +49,8 @@ def test_every_number_has_twelve_digits(
         assert isclose(value["phase_deg"], np.degrees(cmath.phase(amplitude)), rel_tol=RELATIVE)
     if k_t > 0.0:
         assert isclose(told["penetration_depth_wavelengths"], expected.depth, rel_tol=RELATIVE)
+        field = told["field_penetration_depth_wavelengths"]
+        assert isclose(field, expected.field_depth, rel_tol=RELATIVE)
 
 
 def test_nothing_given_is_air_to_glass_at_normal_incidence(ask: Ask) -> None:
@@ -61,6 +63,7 @@ def test_nothing_given_is_air_to_glass_at_normal_incidence(ask: Ask) -> None:
     assert told["R"] == pytest.approx(0.04, abs=1e-16)
     assert told["convention"] == CONVENTION
     assert told["penetration_depth_wavelengths"] is None
+    assert told["field_penetration_depth_wavelengths"] is None
     assert told["total_internal_reflection"] is False
 
 
@@ -104,6 +107,16 @@ def test_total_internal_reflection(ask: Ask) -> None:
     assert told["r_s"]["abs"] == pytest.approx(1.0, abs=1e-15)
     depth = 1.0 / (4.0 * np.pi * np.sqrt(1.5**2 * 0.75 - 1.0))
     assert told["penetration_depth_wavelengths"] == pytest.approx(depth, rel=1e-12)
+
+
+@pytest.mark.parametrize(("crystal", "depth_um"), [(2.4, 2.01), (4.0, 0.66)])
+def test_the_depth_of_the_field_is_that_of_ATR(ask: Ask, crystal: float, depth_um: float) -> None:
+    """Zinc selenide or diamond, and germanium: 10 µm at 45 degrees on a sample of n = 1.5.
+
+    The values that makers of ATR accessories print.
+    """
+    told = ray(ask, n_i=crystal, n_t=1.5, theta_i_deg=45)
+    assert 10.0 * told["field_penetration_depth_wavelengths"] == pytest.approx(depth_um, abs=0.006)
 
 
 def test_grazing_incidence(ask: Ask) -> None:

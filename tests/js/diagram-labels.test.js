@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { arrowSize, at, direction, signPlaces, stageOf } from "../../static/js/diagram/scene.js";
-import { obstacles, plan, shortened } from "../../static/js/diagram/words.js";
+import { description, obstacles, plan, shortened } from "../../static/js/diagram/words.js";
 import { boxOf, crosses, overlap, within } from "../../static/js/draw/svg.js";
 
 /** Widths of a typical sans: what matters is that labels are about as wide as on the page. */
@@ -51,6 +51,7 @@ function drawing({ theta_i, theta_t, share, size, k = 0, unit = "deg" }) {
       T: rest,
       tir,
       penetration_depth_wavelengths: 0.2,
+      field_penetration_depth_wavelengths: 0.4,
       polarization: /** @type {const} */ ("unpolarized"),
       labels: { incident: "Air", transmitted: "Glass" },
       angleUnit: unit,
@@ -105,6 +106,19 @@ test("no label covers a ray, an arc, another label or the frame's edge", () => {
     }
   }
   assert.deepEqual(bad.slice(0, 12), [], `${bad.length} labels are in the way`);
+});
+
+test("the depth is said to be that of the power, beside that of the field", () => {
+  const depthIn = (/** @type {[number, number]} */ size) => {
+    const { stage, drawn } = drawing({ theta_i: 45, theta_t: null, share: 1, size });
+    return plan(drawn, stage, FACES).lines.find(({ key }) => key === "depth")?.text;
+  };
+  assert.equal(depthIn([900, 700]), "penetration depth of power 0.2 λ, of field 0.4 λ");
+  assert.equal(depthIn([440, 520]), "power 0.2 λ, field 0.4 λ deep");
+  assert.equal(depthIn([288, 300]), "power 0.2 λ deep");
+  const { drawn } = drawing({ theta_i: 45, theta_t: null, share: 1, size: [440, 440] });
+  const said = description({ ...drawn.values, reflected: 1, passed: 0, depth: 0.2 });
+  assert.match(said, /The power falls to 1\/e in 0.2 vacuum wavelengths, the field in 0.4\.$/);
 });
 
 test("every angle and share is named, and stands in its own quadrant", () => {

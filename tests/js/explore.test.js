@@ -41,7 +41,8 @@ function curves(media = {}) {
       curve("Rp", [0.04, 0.01, 1]),
       curve("T", [0.96, 0.95, 0]),
       curve("theta_t_deg", [0, 28, 42]),
-      curve("penetration_depth_wavelengths", [null, null, null]),
+      curve("penetration_depth_wavelengths", [null, 0.2, 0.1]),
+      curve("field_penetration_depth_wavelengths", [null, 0.4, 0.2]),
       curve("phase_s_deg", [180, 180, 180]),
       curve("phase_p_deg", [-90, -179, 180]),
       curve("R", [0.04, 0.06, 1], "schlick"),
@@ -62,6 +63,7 @@ test("between samples the curves answer, and what is not reflected passes", () =
   assert.equal(reading.R + reading.T, 1);
   assert.equal(reading.theta_t_deg, 14);
   assert.equal(reading.penetration_depth_wavelengths, null);
+  assert.equal(reading.field_penetration_depth_wavelengths, null);
   assert.equal(reading.tir, false);
   assert.equal(reading.snell, null);
 });
@@ -79,6 +81,7 @@ test("the server's answer for this angle and these media replaces the interpolat
     Ts: 0.95,
     Tp: 0.97,
     penetration_depth_wavelengths: null,
+    field_penetration_depth_wavelengths: null,
   });
   assert.equal(readingAt(curves(), snell, 22.5).R, 0.0401);
   assert.equal(readingAt(curves(), snell, 22.6).snell, null);

@@ -1,7 +1,7 @@
 """Every quantity of the exact solution against arithmetic of 30 and of 50 digits."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import product
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -13,8 +13,10 @@ from numpy.typing import NDArray
 from app.optics.amplitudes import amplitudes, power
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.parameters import Array
 from app.optics.registry import default_registry
 from app.optics.snell import (
+    field_penetration_depth_wavelengths,
     is_totally_reflected,
     penetration_depth_wavelengths,
     refraction_angle_deg,
@@ -147,9 +149,18 @@ def test_refraction_angles_have_twelve_digits(family: Batch) -> None:
     assert_close(angle[refracted], family.expected("theta_t_deg")[refracted], rays)
 
 
-def test_penetration_depths_have_twelve_digits(family: Batch) -> None:
-    depth = penetration_depth_wavelengths(family.interface, family.incidence)
-    expected = family.expected("depth")
+@pytest.mark.parametrize(
+    ("depth_of", "name"),
+    [
+        (penetration_depth_wavelengths, "depth"),
+        (field_penetration_depth_wavelengths, "field_depth"),
+    ],
+)
+def test_penetration_depths_have_twelve_digits(
+    family: Batch, depth_of: Callable[[Interface, Incidence], Array], name: str
+) -> None:
+    depth = depth_of(family.interface, family.incidence)
+    expected = family.expected(name)
     damped = np.isfinite(expected)
     assert np.array_equal(np.isnan(depth), ~damped)
     rays = [ray for ray, fades in zip(family.rays, damped, strict=True) if fades]

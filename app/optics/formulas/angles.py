@@ -17,7 +17,11 @@ from app.optics.formulas.formula import (
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import K_T, N_I, N_T, Array
-from app.optics.snell import penetration_depth_wavelengths, refraction_angle_deg
+from app.optics.snell import (
+    field_penetration_depth_wavelengths,
+    penetration_depth_wavelengths,
+    refraction_angle_deg,
+)
 
 _REFRACTION = Plotted("theta_t_deg", r"\theta_t", "angle of refraction", "deg")
 _DEPTH = Plotted("depth", "d", "depth of 1/e in vacuum wavelengths")
@@ -30,8 +34,9 @@ def _refraction(interface: Interface, theta: Array) -> Columns:
 
 
 def _penetration(interface: Interface, theta: Array) -> Columns:
-    depth = penetration_depth_wavelengths(interface, Incidence.from_degrees(theta))
-    yield "depth", "penetration depth", depth
+    incidence = Incidence.from_degrees(theta)
+    yield "depth", "of the power", penetration_depth_wavelengths(interface, incidence)
+    yield "field_depth", "of the field", field_penetration_depth_wavelengths(interface, incidence)
 
 
 def _over_eta(low: float, high: float, angle: Callable[[Interface], Array], title: str) -> Curves:
@@ -67,18 +72,20 @@ FORMULAS = (
     ),
     Formula(
         id="angle.penetration_depth",
-        title="Penetration depth",
+        title="Penetration depths of the power and of the field",
         latex=r"d=\frac{1}{2\operatorname{Im}k_z}=\frac{\lambda_0}{4\pi n_i\operatorname{Im}q},\quad "
-        r"q=\sqrt{N^2-\sin^2\theta_i}",
+        r"d_E=2d=\frac{1}{\operatorname{Im}k_z},\quad q=\sqrt{N^2-\sin^2\theta_i}",
         symbols=(
+            Symbol("d", "depth at which the power has fallen to 1/e", "length"),
+            Symbol("d_E", "depth at which the field has fallen to 1/e", "length"),
             Symbol("k_z", "normal component of the wave vector in the second medium", "1/length"),
             Symbol(r"\lambda_0", "wavelength in vacuum", "length"),
         ),
         reference="M. Born and E. Wolf, Principles of Optics, 7th edition, 1.5.4 and 14.1, "
         "doi:10.1017/CBO9781139644181",
         validity="Absorbers at every angle, and total internal reflection, where it is the reach of the "
-        "evanescent wave; elsewhere light travels on undamped. It is the depth at which the power has "
-        "fallen to 1/e, for the amplitude it is twice as large.",
+        "evanescent wave; elsewhere light travels on undamped. Attenuated total reflection (ATR) and "
+        "many textbooks call that of the field the penetration depth.",
         accuracy=(rounding(1e-14, "depth", _SCATTERED),),
         at=Interface(1.5, 1.0),
         takes=(N_I, N_T, K_T),

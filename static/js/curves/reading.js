@@ -46,6 +46,7 @@ export function readingAt(curves, snell, theta_i_deg) {
       Ts,
       Tp,
       penetration_depth_wavelengths,
+      field_penetration_depth_wavelengths,
     } = snell;
     return {
       interface: snell.interface,
@@ -59,6 +60,7 @@ export function readingAt(curves, snell, theta_i_deg) {
       Ts,
       Tp,
       penetration_depth_wavelengths,
+      field_penetration_depth_wavelengths,
       snell,
     };
   }
@@ -81,6 +83,7 @@ export function readingAt(curves, snell, theta_i_deg) {
     Ts: 1 - Rs,
     Tp: 1 - Rp,
     penetration_depth_wavelengths: at("penetration_depth_wavelengths"),
+    field_penetration_depth_wavelengths: at("field_penetration_depth_wavelengths"),
     snell: null,
   };
 }

@@ -12,6 +12,7 @@ interface DiagramValues {
   Tp?: number;
   tir: boolean;
   penetration_depth_wavelengths: number | null;
+  field_penetration_depth_wavelengths: number | null;
   polarization: "s" | "p" | "unpolarized";
   labels: { incident: string; transmitted: string };
   angleUnit: "deg" | "rad";
@@ -105,6 +106,7 @@ interface DescriptionOptions {
   /** Share. */
   passed: number;
   depth: number | null;
+  field_penetration_depth_wavelengths: number | null;
   polarization: string;
   angleUnit: "deg" | "rad";
 }

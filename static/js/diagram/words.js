@@ -58,8 +58,9 @@ export function fixedLines({ values, depth }, stage, face) {
   const line = LINE * unit;
   const top = inset + 7 * unit;
   const bottom = height - inset - 6 * unit - (depth === null ? 0 : line);
-  const long = depthText(depth);
-  const deep = [long, long.replace("penetration ", "")].find((text) => face.index(text) <= room);
+  const deep = depthTexts(depth, values.field_penetration_depth_wavelengths).find(
+    (text) => face.index(text) <= room,
+  );
   const words = "total internal reflection";
   const gap = 14 * unit;
   const fits = face.share(words) <= width / 2 - gap - MARGIN;
@@ -305,11 +306,24 @@ export function indexText(symbol, n, k) {
   return k > 0 ? `${symbol} = ${plain(n, 5)} + ${plain(k, 5)} i` : `${symbol} = ${plain(n, 5)}`;
 }
 
-/** @param {number | null} depth in vacuum wavelengths */
-export function depthText(depth) {
-  if (depth === null) return "";
-  const size = depth >= 1000 ? "> 1000" : depth < 0.001 ? "< 0.001" : plain(depth, 3);
-  return `penetration depth ${size} λ`;
+/** @param {number} depth in vacuum wavelengths */
+const deepAs = (depth) =>
+  depth >= 1000 ? "> 1000" : depth < 0.001 ? "< 0.001" : `${plain(depth, 3)}`;
+
+/**
+ * How deep the power and the field go, in fewer and fewer words.
+ * @param {number | null} power depth in vacuum wavelengths
+ * @param {number | null} field
+ */
+export function depthTexts(power, field) {
+  if (power === null) return [];
+  const [p, e] = [deepAs(power), deepAs(field ?? power)];
+  return [
+    `penetration depth of power ${p} λ, of field ${e} λ`,
+    `depth of power ${p} λ, of field ${e} λ`,
+    `power ${p} λ, field ${e} λ deep`,
+    `power ${p} λ deep`,
+  ];
 }
 
 /** @param {DescriptionOptions} values */
@@ -322,6 +336,7 @@ export function description({
   reflected,
   passed,
   depth,
+  field_penetration_depth_wavelengths: field,
   polarization,
   angleUnit,
 }) {
@@ -334,7 +349,10 @@ export function description({
     : `${percent(reflected)} is reflected, ${percent(passed)} is transmitted${
         theta_t_deg === null ? "" : ` at ${angle(theta_t_deg, angleUnit)}`
       }.`;
-  const deep = depth === null ? "" : `The ${depthText(depth).replace("λ", "vacuum wavelengths")}.`;
+  const deep =
+    depth === null
+      ? ""
+      : `The power falls to 1/e in ${deepAs(depth)} vacuum wavelengths, the field in ${deepAs(field ?? depth)}.`;
   return [first, then, deep].filter(Boolean).join(" ");
 }
 

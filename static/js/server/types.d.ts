@@ -31,6 +31,7 @@ interface Reading {
   Ts: number;
   Tp: number;
   penetration_depth_wavelengths: number | null;
+  field_penetration_depth_wavelengths: number | null;
   snell: Snell | null;
 }
 

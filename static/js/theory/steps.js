@@ -246,7 +246,7 @@ export const STEPS = [
     models: ["schlick"],
     quantities: ["Rs", "Rp", "R"],
     live: ({ reading }) =>
-      `F0 is ${percent(reading.interface.F0)}; p is least at ${angle(reading.interface.pseudo_brewster_deg, "deg", 1)}${reading.penetration_depth_wavelengths ? `; light goes ${short(reading.penetration_depth_wavelengths)} wavelengths deep` : ""}.`,
+      `F0 is ${percent(reading.interface.F0)}; p is least at ${angle(reading.interface.pseudo_brewster_deg, "deg", 1)}${reading.penetration_depth_wavelengths ? `; ${short(reading.penetration_depth_wavelengths)} wavelengths deep its power has fallen to 1/e` : ""}.`,
     tries: [
       {
         say: "Keep $n$ and raise $k$ until half of the light is reflected straight on.",

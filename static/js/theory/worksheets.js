@@ -43,7 +43,7 @@ export const SHEETS = [
       "Stand exactly at the critical angle of glass: the slider holds there. What do both arrows do? [inside glass](?n_i=1.5&n_t=1&theta_i_deg=41.810314895778596)",
       "Do not swap anything: start from $n_i=1$ and raise it beyond $n_t$. At which $n_i$ is a ray at 60° caught? [start here](?n_i=1&n_t=1.2&theta_i_deg=60)",
       "Plot the phases. By how much do they differ at most between s and p? Where would you build Fresnel's rhomb, which needs 45° twice? [with phases](?n_i=1.51&n_t=1&theta_i_deg=54&show=phase)",
-      "How deep does the evanescent wave go at 45° and at 42°, in wavelengths? [its depth](?n_i=1.5&n_t=1&theta_i_deg=45)",
+      "At which depth have the power and the field of the evanescent wave fallen to 1/e, at 45° and at 42°, in wavelengths? [both depths](?n_i=1.5&n_t=1&theta_i_deg=45)",
     ],
   },
   {

@@ -15,8 +15,8 @@ DIGITS = 50
 class Reference:
     """Amplitudes and powers of one ray, rounded to doubles.
 
-    `theta_t_deg` is the real angle of refraction, 90 at total reflection; `depth` is in vacuum
-    wavelengths, infinite where the wave is not damped.
+    `theta_t_deg` is the real angle of refraction, 90 at total reflection; `depth` of the
+    power and `field_depth` are in vacuum wavelengths, infinite where the wave is not damped.
     """
 
     r_s: complex
@@ -31,6 +31,7 @@ class Reference:
     T: float
     theta_t_deg: float
     depth: float
+    field_depth: float
 
 
 def fresnel(n_i: float, n_t: float, k_t: float, theta_i_deg: float) -> Reference:
@@ -64,5 +65,7 @@ def fresnel(n_i: float, n_t: float, k_t: float, theta_i_deg: float) -> Reference
             Tp=float(Tp),
             T=float((Ts + Tp) / 2),
             theta_t_deg=float(mp.degrees(mp.atan2(ni * sin, q.real))),
+            # |exp(2 pi i q z)|^2 = 1/e, and |exp(2 pi i q z)| = 1/e
             depth=float(1 / (4 * mp.pi * q.imag)) if q.imag > 0 else float("inf"),
+            field_depth=float(1 / (2 * mp.pi * q.imag)) if q.imag > 0 else float("inf"),
         )
