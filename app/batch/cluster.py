@@ -15,7 +15,7 @@ _FOR_EACH_THREAD = 2
 
 
 def on_cluster(
-    address: str, blocks: Iterable[Block], keep: Sequence[str]
+    address: str, blocks: Iterable[Block], keep: Sequence[str], digits: int = 17
 ) -> Iterator[tuple[Block, pa.RecordBatch]]:
     """Evaluate blocks on a cluster whose workers have this program, and yield them in order.
 
@@ -25,7 +25,7 @@ def on_cluster(
         Of the scheduler, as `tcp://host:8786`.
     blocks
         Read no further ahead than the workers can take.
-    keep
+    keep, digits
         As in `evaluated`.
 
     Raises
@@ -39,7 +39,7 @@ def on_cluster(
         for block in blocks:
             if len(under_way) >= _FOR_EACH_THREAD * threads:
                 yield _done(*under_way.popleft())
-            asked = client.submit(evaluated, block.batch, keep, block.faults, pure=False)
+            asked = client.submit(evaluated, block.batch, keep, block.faults, digits, pure=False)
             under_way.append((block, asked))
         while under_way:
             yield _done(*under_way.popleft())

@@ -17,6 +17,7 @@ from app.batch.arrow import WrongColumn, rows_of
 from app.batch.csv_blocks import Block, CsvBlocks
 from app.batch.evaluation import evaluate
 from app.batch.rows import NAMES, Fault, number_columns
+from app.optics.numerics.significant import round_significant
 from app.optics.parameters import N_T, WAVELENGTH_NM
 from app.optics.registry import default_registry
 
@@ -117,7 +118,10 @@ def _types() -> dict[str, pa.DataType]:
 
 
 def evaluated(
-    batch: pa.RecordBatch, keep: Sequence[str] = (), faults: Mapping[int, Fault] | None = None
+    batch: pa.RecordBatch,
+    keep: Sequence[str] = (),
+    faults: Mapping[int, Fault] | None = None,
+    digits: int = 17,
 ) -> pa.RecordBatch:
     """Add the columns `value` and `error` to a batch.
 
@@ -129,6 +133,8 @@ def evaluated(
         Columns that are copied.
     faults
         What is known to be wrong with a row already.
+    digits
+        How many significant ones the values have.
 
     Raises
     ------
@@ -148,7 +154,7 @@ def evaluated(
         for row, fault in outcome.faults.items():
             told[row] = str(fault)
         errors = pa.array(told, pa.string())
-    values = pa.array(outcome.values, from_pandas=True)
+    values = pa.array(round_significant(outcome.values, digits), from_pandas=True)
     schema = added(batch.schema)
     return pa.record_batch([*batch.columns, values, errors], schema=schema)
 
@@ -209,8 +215,8 @@ def _blamed_on(path: Path) -> Iterator[None]:
 
 
 def in_order(
-    blocks: Iterable[Block], keep: Sequence[str]
+    blocks: Iterable[Block], keep: Sequence[str], digits: int = 17
 ) -> Iterator[tuple[Block, pa.RecordBatch]]:
     """Evaluate blocks here, one after the other."""
     for block in blocks:
-        yield block, evaluated(block.batch, keep, block.faults)
+        yield block, evaluated(block.batch, keep, block.faults, digits)

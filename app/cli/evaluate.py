@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 import typer
+from pydantic import ValidationError
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -20,6 +21,18 @@ if TYPE_CHECKING:
 
 _MOST_TOLD = 10
 """Rows that are wrong and told one by one; the column `error` has them all."""
+
+
+def _digits(text: str) -> int:
+    """Read as the API does, and refuse in its words."""
+    from app.http.query import DigitsQuery
+    from app.http.route import explain
+
+    try:
+        return DigitsQuery.model_validate({"digits": text}).digits
+    except ValidationError as error:
+        (told,) = explain(error, DigitsQuery.model_fields)
+        raise typer.BadParameter(f"{told['value']}: {told['message']}") from None
 
 
 def evaluate(
@@ -40,6 +53,12 @@ def evaluate(
     keep: Annotated[
         list[str] | None, typer.Option(help="Another column, to be copied. May be repeated.")
     ] = None,
+    digits: Annotated[
+        int,
+        typer.Option(
+            parser=_digits, metavar="NUMBER", help="Significant digits of the values, 3 to 17."
+        ),
+    ] = 17,
     scheduler: Annotated[
         str | None, typer.Option(help="Address of a Dask scheduler whose workers evaluate.")
     ] = None,
@@ -74,11 +93,11 @@ def evaluate(
             writing(output, added(rows.schema)) as writer,
         ):
             blocks = shown.along(rows.blocks())
-            results = in_order(blocks, keep or ())
+            results = in_order(blocks, keep or (), digits)
             if scheduler is not None:
                 from app.batch.cluster import on_cluster
 
-                results = on_cluster(scheduler, blocks, keep or ())
+                results = on_cluster(scheduler, blocks, keep or (), digits)
             for block, result in results:
                 shown.count(block, result)
                 if strict and shown.wrong:

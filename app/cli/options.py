@@ -17,6 +17,7 @@ from app.optics.registry import default_registry
 OUTPUT = "output_"
 """What the names of the parameters begin with that say what becomes of the answer."""
 
+FORMATS = ("table", "json", "csv")
 _PICTURES = ("html", "json", "svg", "png", "pdf")
 
 
@@ -59,6 +60,13 @@ def _completion(name: str, choices: tuple[str, ...]) -> Callable[[str], list[str
     return offered.get(name)
 
 
+def _form(text: str) -> str:
+    """One of `FORMATS`; what typer says of a choice itself begins with pydantic's "Value error"."""
+    if text not in FORMATS:
+        raise typer.BadParameter(f"{text!r} is none of {', '.join(FORMATS)}")
+    return text
+
+
 def _keyword(name: str, kind: Any, declared: Any, default: Any = Parameter.empty) -> Parameter:
     annotation = Annotated[kind, declared]
     return Parameter(name, Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
@@ -93,7 +101,8 @@ def output_parameters(*, figure: bool) -> list[Parameter]:
         return _keyword(OUTPUT + name, kind, declared, default)
 
     printed = "As what to print it; JSON and CSV are those of the API."
-    offered = [option("format", Literal["table", "json", "csv"], "table", printed)]
+    choice = {"metavar": "|".join(FORMATS), "autocompletion": _completion("format", FORMATS)}
+    offered = [option("format", str, "table", printed, parser=_form, **choice)]
     if figure:
         saved = f"Write the figure to a file that ends in {', '.join(_PICTURES)}."
         offered += [

@@ -10,7 +10,8 @@ import orjson
 from starlette.responses import Response
 
 from app.answers.answer import Table
-from app.answers.rounding import round_significant, rounded
+from app.answers.rounding import rounded
+from app.optics.numerics.significant import round_significant
 
 JSON = "application/json"
 CSV = "text/csv; charset=utf-8"

@@ -12,10 +12,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.answers.interface import CONVENTION
-from app.answers.rounding import round_significant
 from app.api.params import MAX_SAMPLES
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.numerics import significant
+from app.optics.numerics.significant import round_significant
 from app.optics.registry import default_registry
 from tests.api.raw import send
 from tests.api.shape import Ask, check_shape, json_of
@@ -279,6 +280,24 @@ def test_rounding_is_that_of_formatting(digits: int) -> None:
     expected = [float(f"{value:.{digits}g}") for value in values.tolist()]
     assert round_significant(values, digits).tolist() == expected
     assert round_significant(values[0], digits) == expected[0]
+
+
+@pytest.mark.parametrize("digits", range(3, 17))
+def test_few_numbers_are_formatted_one_by_one(monkeypatch: pytest.MonkeyPatch, digits: int) -> None:
+    """Of a large answer; at 16 digits those are that lie among the odd ones beyond 2^53."""
+    asked: list[float] = []
+    formatted = significant.formatted
+
+    def counted(value: float, digits: int) -> float:
+        asked.append(value)
+        return formatted(value, digits)
+
+    monkeypatch.setattr(significant, "formatted", counted)
+    rng = np.random.default_rng(digits)
+    values = np.concatenate([rng.uniform(0.0, 1.0, 32_768), rng.uniform(0.0, 1e6, 32_768)])
+    rounded = round_significant(values, digits)
+    assert len(asked) < (values.size // 16 if digits == 16 else 10)
+    assert rounded.tolist() == [formatted(value, digits) for value in values.tolist()]
 
 
 def test_rounding_leaves_alone_what_has_no_digits() -> None:

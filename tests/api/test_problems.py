@@ -40,6 +40,7 @@ def expect_problem(answer: Answer, *statuses: int) -> dict[str, Any]:
     assert told.type == "about:blank"
     assert told.title
     assert told.detail
+    assert "Value error" not in told.detail  # what pydantic puts before the words of a validator
     for error in told.errors:
         assert error.message
     assert "cache-control" not in answer.headers

@@ -74,6 +74,23 @@ def test_a_table_of_n_and_k_over_the_wavelength_is_evaluated(tmp_path: Path) -> 
     assert table["value"].to_pylist() == pytest.approx(expected, rel=1e-12)
 
 
+@pytest.mark.parametrize("suffix", [".csv", ".parquet"])
+def test_values_have_the_digits_asked_for(rows: Path, suffix: str) -> None:
+    output = rows.with_name(f"out{suffix}")
+    run(rows, "--output", output, "--keep", "pixel", "--digits", 5)
+    exact = float(fresnel(1.0, 0.27, 2.9, 60.0).Rp)
+    assert read(output)["value"].to_pylist() == [0.04, float(f"{exact:.5g}"), 0.07, None]
+
+
+@pytest.mark.parametrize("digits", ["2", "18", "five", "5.5"])
+def test_digits_that_cannot_be_are_told(rows: Path, digits: str) -> None:
+    code, printed = run(rows, "--digits", digits)
+    assert code == 2
+    assert f"'--digits': {digits}: " in printed
+    assert printed.rstrip().endswith("allowed: 3 to 17")
+    assert not rows.with_name("rows-evaluated.csv").exists()
+
+
 def test_an_unknown_column_is_told_every_known_one(tmp_path: Path) -> None:
     path = tmp_path / "rows.csv"
     path.write_text("zzzzzz\n1\n")

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -117,6 +118,16 @@ def test_what_is_wrong_is_told_in_the_apis_words(
     for word in words:
         assert word.lower() in result.output.lower()
     assert "Traceback" not in result.output
+
+
+@pytest.mark.parametrize("command", COMMANDS, ids=lambda c: c.name)
+def test_what_typer_refuses_itself_is_told_without_pydantics_prefix(command: Command) -> None:
+    argument = ASKED[command.name][0]
+    result = run(command.name, *filter(None, [argument]), "--format", "xml")
+    assert result.exit_code == 2
+    assert "Value error" not in result.output
+    said = re.sub(r"[│╭╮╰╯─]+|\s+", " ", result.output)
+    assert "'--format': 'xml' is none of table, json, csv" in said
 
 
 @pytest.mark.parametrize("command", [c for c in COMMANDS if c.figure], ids=lambda c: c.name)

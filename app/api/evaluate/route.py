@@ -12,7 +12,6 @@ from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect
 from starlette.responses import Response, StreamingResponse
 
-from app.answers.rounding import round_significant
 from app.api.evaluate import arrow
 from app.api.evaluate.answers import ARROW, CSV, JSON, Writer, by_item
 from app.api.evaluate.body import Bodies
@@ -24,6 +23,7 @@ from app.batch.evaluation import evaluate
 from app.http.query import DigitsQuery
 from app.http.route import refuse_unknown_and_repeated
 from app.http.serving import ClientGone, Unsent, unless_gone
+from app.optics.numerics.significant import round_significant
 from app.optics.registry import Registry
 from app.server.pool import Pool
 
