@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import takewhile
 from typing import Any
 
 from typing_extensions import TypedDict
@@ -50,18 +51,27 @@ class Converted:
         if "hex" in values and not single:
             values["hex"] = "#" + "".join(str(c.values["hex"])[1:3] for c in conversions)
         worst = max(conversions, key=lambda c: _SEVERITY.index(c.status))
-        alike = len({c.why for c in conversions}) == 1
-        named = zip(CHANNELS, conversions, strict=False)
         return cls(
             form=first.form,
             title=first.title,
             values=values,
             status=worst.status,
-            why=worst.why if alike else "; ".join(f"{name}: {c.why}" for name, c in named),
+            why=first.why if single else _of_channels([c.why for c in conversions]),
             channels=None
             if single
             else [ConvertedChannel(status=c.status, why=c.why) for c in conversions],
         )
+
+
+def _of_channels(whys: Sequence[str]) -> str:
+    """Say first, and once, what the clauses of all channels begin with."""
+    clauses = [why.split("; ") for why in whys]
+    alike = takewhile(lambda same: len(set(same)) == 1, zip(*clauses, strict=False))
+    shared = [clause for clause, *_ in alike]
+    own = ("; ".join(one[len(shared) :]) for one in clauses)
+    return "; ".join(
+        [*shared, *(f"{name}: {rest}" for name, rest in zip(CHANNELS, own, strict=True) if rest)]
+    )
 
 
 Conversions = TypedDict(  # a dataclass has no field named `from`

@@ -267,9 +267,7 @@ def _warning(known: Known) -> str:
     n_t = known.dielectric_eta * known.n_i
     if n_t <= _LARGEST_CLEAR_INDEX:
         return ""
-    return (
-        f", and no medium without absorption has F0 = {known.F0:.4g}: it would need n_t = {n_t:.3g}"
-    )
+    return f"; no medium without absorption has F0 = {known.F0:.4g}: it would need n_t = {n_t:.3g}"
 
 
 def _reflectance_status(known: Known) -> tuple[Status, str]:

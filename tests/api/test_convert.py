@@ -73,7 +73,14 @@ def test_what_gold_does_not_share_with_a_dielectric(get: Ask) -> None:
     for form in ("f82", "f82_tint", "f0_seen_from"):
         assert found[form]["status"] == "dielectric only"
     assert found["f82_tint"]["values"]["tint"] == pytest.approx([0.862, 0.633, 0.700], abs=5e-4)
-    assert "it would need n_t = 15.8" in found["f82_tint"]["why"]
+    assert found["f82_tint"]["why"] == (
+        "if the second medium does not absorb and is the denser one; of a metal F0 alone does not "
+        "tell it; red: no medium without absorption has F0 = 0.947: it would need n_t = 73.5; "
+        "green: no medium without absorption has F0 = 0.776: it would need n_t = 15.8"
+    )
+    assert found["f0_hex"]["why"].startswith(
+        "red: rounded to one of 256 codes, +3.1e-04 off; green:"
+    )
 
 
 def test_three_channels_of_gulbrandsen(get: Ask) -> None:

@@ -356,6 +356,31 @@ def test_figures_are_saved(quiet_page: Page, figure: str, start: bytes) -> None:
     expect(page.locator(f".{figure} .curve-table tbody tr").nth(5)).to_be_visible()
 
 
+@pytest.mark.parametrize("width", [390, 641, 901, 1000, 1179, 1180, 1440])
+def test_no_column_of_the_catalog_covers_another(page: Page, width: int) -> None:
+    page.set_viewport_size({"width": width, "height": 800})
+    opened(page)
+    covered = page.evaluate(
+        """() => {
+          const range = document.createRange();
+          const drawn = (cell) => {
+            range.selectNodeContents(cell);
+            return { words: cell.textContent, ...range.getBoundingClientRect().toJSON() };
+          };
+          return [...document.querySelectorAll(".presets tr")].flatMap((row) => {
+            const cells = [...row.querySelectorAll(".sort, .entry-name, td")].map(drawn);
+            const shown = cells.filter(({ width }) => width > 0);
+            return shown
+              .slice(1)
+              .map((cell, i) => [shown[i], cell])
+              .filter(([left, right]) => left.right > right.left)
+              .map(([left, right]) => `${left.words} | ${right.words}`);
+          });
+        }"""
+    )
+    assert covered == []
+
+
 def test_loads_when_it_is_asked_for(page: Page) -> None:
     asked: list[str] = []
     page.on("request", lambda request: asked.append(request.url))
