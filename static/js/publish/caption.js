@@ -7,12 +7,19 @@ import { load } from "../server/api.js";
 const sentence = (text) =>
   `${text.replace(/^\p{Ll}(?=\p{L})/u, (letter) => letter.toUpperCase()).replace(/[.\s]+$/u, "")}.`;
 
-/** The media as numbers, as far as they are single ones. @param {Record<string, any>} answer */
-function numbersOf(answer) {
+/**
+ * The media as numbers, as far as they are single ones or those of a family of curves.
+ * @param {Record<string, any>} answer
+ * @param {readonly string[]} ids of curves; `exact@2.4` is that of another n_t than the answer's
+ */
+function numbersOf(answer, ids) {
   const inputs = [answer, answer.interface ?? {}, answer.front ?? {}];
+  const others = ids.flatMap((id) => id.split("@").slice(1).map(Number));
   return ["n_i", "n_t", "k_t"].flatMap((name) => {
     const value = inputs.map((part) => part[name]).find((one) => typeof one === "number");
-    return value === undefined ? [] : [`${name} = ${plain(value)}`];
+    if (value === undefined) return [];
+    const all = name === "n_t" ? [...new Set([value, ...others])] : [value];
+    return [`${name} = ${all.map((one) => plain(one)).join(", ")}`];
   });
 }
 
@@ -61,7 +68,7 @@ async function sourcesOf(ids, media, call) {
  * @param {{call: string, href: string, version: string}} page `call` is the path that it shows
  */
 export async function captionOf({ name, ids }, media, { call, href, version }) {
-  const numbers = numbersOf(call ? await load(call) : {}).join("; ");
+  const numbers = numbersOf(call ? await load(call) : {}, ids).join("; ");
   return [
     sentence(name) + (numbers && ` ${sentence(numbers)}`),
     ...(await sourcesOf(ids, media, call)),
