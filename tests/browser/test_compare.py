@@ -124,6 +124,7 @@ def test_leaving_an_example_is_said_and_can_be_undone(quiet_page: Page) -> None:
     box.fill("1.8")
     box.press("Enter")
     expect(page.locator(".away")).to_be_visible()
+    expect(page.locator(".found")).to_contain_text("0.0357")  # the caption stays beside it
     page.get_by_role("button", name="Back to it").click()
     expect(box).to_have_value("1.5")
     expect(page.locator(".found")).to_contain_text("0.0357")

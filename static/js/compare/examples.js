@@ -38,19 +38,23 @@ export function createNamedExamples({ presets, actions }) {
   const changed = createChanged();
   const revealed = createChanged();
 
+  /** Beside the caption, which is what a reader who turns a knob compares with. @param {State} state */
+  function away(state) {
+    const example = EXAMPLES.find((e) => e.id === state.example);
+    const wanted = example && stateOf(example, presets);
+    if (!wanted || shows(wanted, state)) return nothing;
+    return html`<p class="away">
+      The page has moved away from this figure.
+      <button type="button" class="quiet" @click=${() => actions.set(wanted)}>Back to it</button>
+    </p>`;
+  }
+
   /** @param {State} state */
   function caption(state) {
-    const example = EXAMPLES.find((e) => e.id === state.example);
-    if (!example) return nothing;
-    const wanted = stateOf(example, presets);
-    return html`<div class="caption" role="group" aria-label="Claim and measurement">${
-      shows(wanted, state)
-        ? html`<div class="example-claims">${claims}</div>`
-        : html`<p class="away">
-            The page has moved away from this figure.
-            <button type="button" class="quiet" @click=${() => actions.set(wanted)}>Back to it</button>
-          </p>`
-    }</div>`;
+    if (!EXAMPLES.some((e) => e.id === state.example)) return nothing;
+    return html`<div class="caption example-claims" role="group" aria-label="Claim and measurement">
+      ${claims}
+    </div>`;
   }
 
   return {
@@ -61,7 +65,11 @@ export function createNamedExamples({ presets, actions }) {
       const now = answers.claims?.claims ?? null;
       if (!moving && changed(now)) claims = now?.map(told) ?? "Measuring …";
       row.update(state);
-      render(html`<h2>Figures of the sources</h2>${list}${caption(state)}`, element);
+      render(
+        html`<div class="heading"><h2>Figures of the sources</h2>${away(state)}</div>
+          ${list}${caption(state)}`,
+        element,
+      );
       /** @type {HTMLElement | null} */
       const on = list.querySelector('[aria-pressed="true"]');
       // On a phone the line of examples is longer than the screen.
