@@ -1,4 +1,4 @@
-"""`/errors`, `/errors/sweep` and `/errors/map`: how wrong models are."""
+"""`/errors`, `/errors/sweep`, `/errors/map` and `/errors/mesh`: how wrong models and meshes are."""
 
 from typing import Annotated, ClassVar, Literal
 
@@ -24,6 +24,7 @@ from app.answers.error_grids import (
 )
 from app.answers.errors import Errors
 from app.answers.errors import errors as measured
+from app.answers.mesh import MeshErrors, errors_of_mesh
 from app.api.axes import end, swept
 from app.api.model_parameters import (
     ModelId,
@@ -35,6 +36,7 @@ from app.api.model_parameters import (
 from app.api.params import InterfaceQuery, SamplesQuery
 from app.http.query import Count, LongQuery, Number, TableQuery
 from app.http.route import QueryRoute
+from app.optics.mesh import LATITUDES, Spacing
 from app.optics.registry import Registry
 
 
@@ -80,6 +82,20 @@ class ErrorMapQuery(ModelQuery, InterfaceQuery, TableQuery, LongQuery):
     )
 
 
+class MeshQuery(InterfaceQuery, TableQuery):
+    """A sphere of facets."""
+
+    latitudes: Count = Field(
+        int(LATITUDES.default or 0),
+        ge=int(LATITUDES.minimum),
+        le=int(LATITUDES.maximum),
+        description=LATITUDES.description,
+    )
+    spacing: Spacing = Field(
+        "angle", description="Rings at equal differences of the angle, or of its cosine."
+    )
+
+
 def router(registry: Registry) -> APIRouter:
     """Routes over the models of `registry`."""
     routes = APIRouter(route_class=QueryRoute, tags=["errors"])
@@ -113,5 +129,9 @@ def router(registry: Registry) -> APIRouter:
         x = swept(query, query.x, "x_", query.x_steps)
         y = swept(query, query.y, "y_", query.y_steps)
         return error_map(chosen, query.interface(), x, y, metric)
+
+    @routes.get("/errors/mesh", summary="Errors of shading per vertex and per pixel")
+    def mesh(query: Annotated[MeshQuery, Query()]) -> MeshErrors:
+        return errors_of_mesh(query.interface(), query.latitudes, query.spacing)
 
     return routes

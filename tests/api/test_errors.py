@@ -231,3 +231,20 @@ def test_traps_are_measured_and_marked(ask: Ask) -> None:
     rows = ask("/errors", models=",".join(TRAPS), n_t=1.5, k_t=2.0, samples=2).json()["errors"]
     assert len(rows) == len(TRAPS)
     assert not any(row["in_domain"] for row in rows)
+
+
+# On a mesh
+
+
+def test_a_mesh(ask: Ask) -> None:
+    answer = ask("/errors/mesh", n_t=1.333333)
+    body = json_of(answer)
+    assert (body["latitudes"], body["spacing"]) == (16, "angle")
+    assert body["per_vertex"]["max_abs"] == pytest.approx(0.1593, abs=5e-5)
+    assert 85.0 < body["per_vertex"]["max_abs_at_deg"] < 90.0
+    rows = rows_of(ask("/errors/mesh", n_t=1.333333, latitudes=32, format="csv"))
+    assert [row["shading"] for row in rows] == ["per_vertex", "per_pixel", "apart"]
+    assert float(rows[0]["max_abs"]) == pytest.approx(0.0791, abs=5e-5)
+    wrong = ask("/errors/mesh", latitudes=1)
+    assert wrong.status_code == 422
+    assert wrong.json()["errors"][0]["parameter"] == "latitudes"

@@ -380,10 +380,33 @@ def albedo_map(query: Query) -> Any:
     return {"largest": found, "largest_in_domain": found}
 
 
+def errors_mesh(query: Query) -> Any:
+    """Triangles of a sphere, seen along its axis, at points of their own."""
+    (n_i, N), count = query.medium(), int(query["latitudes"])
+    ring = np.linspace(0.0, np.pi / 2.0, count)
+    t = 1.0 - np.linspace(0.0, 1.0, 4001)[:, np.newaxis] ** 2
+    found = {"per_vertex": 0.0, "per_pixel": 0.0, "apart": 0.0}
+    for a, b in pairwise(ring.tolist()):
+        corner = np.array([[np.sin(a), np.cos(a)], [np.sin(b), np.cos(b)]])
+        x, z = ((1.0 - t) * corner[0] + t * corner[1]).T
+        vertex = (1.0 - t[:, 0]) * exact(n_i, N, np.array(a)) + t[:, 0] * exact(n_i, N, np.array(b))
+        sphere, pixel = (
+            exact(n_i, N, at) for at in (np.arcsin(np.minimum(x, 1.0)), np.arctan2(x, z))
+        )
+        for way, error in (
+            ("per_vertex", vertex - sphere),
+            ("per_pixel", pixel - sphere),
+            ("apart", vertex - pixel),
+        ):
+            found[way] = max(found[way], float(np.abs(error).max()))
+    return {way: {"max_abs": error} for way, error in found.items()}
+
+
 ROUTES: dict[str, Callable[[Query], Any]] = {
     "/errors": errors,
     "/errors/sweep": errors_sweep,
     "/errors/map": errors_map,
+    "/errors/mesh": errors_mesh,
     "/curves": curves,
     "/snell": snell,
     "/albedo": albedo,
