@@ -14,6 +14,7 @@ from app.api import (
     claims,
     convert,
     curves,
+    engines,
     errors,
     evaluate,
     figures,
@@ -135,6 +136,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         materials.router(registry),
         shaders.router(registry),
         lut.router(registry),
+        engines.router(registry),
         formulas.router(registry),
         evaluate.router(registry, pool, settings.max_body_bytes),
     ]

@@ -131,6 +131,11 @@ def faded(media: Media, mu: mp.mpf) -> mp.mpf:
     return F0 + (min(50 * F0, mpf(1)) - F0) * (1 - mu) ** 5
 
 
+def cut_by_indices(media: Media, mu: mp.mpf) -> mp.mpf:
+    F0, difference = normal(media), abs(mpf(media[1]) - mpf(media[0]))
+    return F0 + (min(2 * difference, mpf(1)) - F0) * (1 - mu) ** 5
+
+
 def lazanyi_alpha(media: Media) -> mp.mpf:
     """Alpha by Lagarde's recipe, with the largest error sought in mpmath."""
 
@@ -156,6 +161,8 @@ CASES: list[tuple[str, Formula, list[Media]]] = [
     ("schlick_f0_srgb", lambda m, mu: schlick(m, mu, srgb(normal(m))), ALL),
     ("schlick_four_percent", lambda m, mu: schlick(m, mu, mpf("0.04")), ALL),
     ("schlick_f90_50", faded, ALL),
+    ("babylon_openpbr", cut_by_indices, FROM_THIN),
+    ("constant_f0", lambda m, _: normal(m), ALL),
     ("spherical_gaussian", spherical_gaussian, ALL),
     ("one_minus_cos", lambda _, mu: 1 - mu, FROM_THIN),
     ("hoffman_f82", hoffman, METALS),
