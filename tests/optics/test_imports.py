@@ -14,11 +14,12 @@ ROOT = Path(__file__).parents[2]
 LAYERS = {
     "app.optics": set(),
     "app.materials": {"app.optics"},
+    "app.engines": {"app.materials", "app.optics"},
     "app.snippets": {"app.optics"},
     "app.claims": {"app.answers", "app.optics"},
     "app.batch": {"app.materials", "app.optics"},
     "app.figures": {"app.answers", "app.materials", "app.optics"},
-    "app.answers": {"app.materials", "app.optics", "app.snippets"},
+    "app.answers": {"app.engines", "app.materials", "app.optics", "app.snippets"},
     "app.server.pool": set(),
     "app.server.drain": set(),
     "app.http": {"app.answers", "app.optics", "app.server.pool"},
@@ -26,6 +27,7 @@ LAYERS = {
         "app.answers",
         "app.batch",
         "app.claims",
+        "app.engines",
         "app.figures",
         "app.http",
         "app.materials",
@@ -39,6 +41,7 @@ LAYERS = {
 }
 OUTSIDE = {
     "app.optics": {"numpy", "scipy"},
+    "app.engines": {"numpy"},
     "app.snippets": set(),
     "app.materials": {"numpy", "scipy", "pydantic", "yaml", "orjson"},
     "app.claims": {"numpy"},
