@@ -6,12 +6,13 @@ from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
-from urllib.parse import urlsplit
+from urllib.parse import parse_qs, urlsplit
 
 import pytest
 from playwright.sync_api import FrameLocator, Page, expect
 
 from tests.browser.explore_page import READY_MS
+from tests.browser.test_accessible import PLACES
 
 
 class Quiet(SimpleHTTPRequestHandler):
@@ -77,6 +78,44 @@ def test_nothing_sticks_out_of_a_narrow_frame(page: Page, lecture: Path, server_
     frame.locator(".js-plotly-plot .main-svg").first.wait_for(timeout=READY_MS)
     wide = frame.locator("html").evaluate("(root) => [root.scrollWidth, root.clientWidth]")
     assert wide[0] <= wide[1]
+
+
+@pytest.mark.parametrize("place", PLACES.values(), ids=PLACES.keys())
+def test_every_link_stays_embedded_or_leaves_the_frame(
+    page: Page, lecture: Path, server_url: str, place: str
+) -> None:
+    at = place + ("&" if "?" in place else "?") + "embed=1"
+    frame = embedded(page, lecture, f"{server_url}/{at}")
+    frame.locator(".view:not([hidden])").first.wait_for(timeout=READY_MS)
+    page.wait_for_load_state("networkidle")
+    closed = frame.locator(".view:not([hidden]) details:not([open])")
+    closed.evaluate_all("(closed) => closed.forEach((one) => { one.open = true; })")
+    page.wait_for_load_state("networkidle")
+    astray = frame.locator(".view:not([hidden])").evaluate(
+        """(view) => [...view.querySelectorAll("a[href]")]
+          .filter((link) => {
+            const { pathname, searchParams } = new URL(link.href);
+            const stays = pathname === "/" && searchParams.get("embed") === "1";
+            return !(stays || link.target === "_blank" || link.hasAttribute("download"));
+          })
+          .map((link) => link.outerHTML)"""
+    )
+    assert astray == []
+
+
+def test_links_of_theory_are_followed_within_the_frame(
+    page: Page, lecture: Path, server_url: str
+) -> None:
+    frame = embedded(page, lecture, f"{server_url}/?view=theory&section=worksheets&embed=1")
+    frame.locator(".worksheets a").first.click(timeout=READY_MS)
+    frame.locator(".view-explore .plot-host path.js-line").first.wait_for(
+        state="attached", timeout=READY_MS
+    )
+    inner = page.frames[1]
+    assert parse_qs(urlsplit(inner.url).query)["embed"] == ["1"]
+    inner.evaluate("() => location.reload()")
+    expect(frame.locator(".view-explore")).to_be_visible(timeout=READY_MS)
+    expect(frame.locator(".top")).to_be_hidden()
 
 
 def test_the_whole_page_cannot_be_framed(page: Page, lecture: Path, server_url: str) -> None:

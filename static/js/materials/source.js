@@ -3,6 +3,7 @@
 import { stretch } from "../media/wavelength.js";
 import { plain } from "../numbers/format.js";
 import { copying, h } from "../page/dom.js";
+import { aside } from "../page/links.js";
 import { html, nothing, render } from "../page/lit.js";
 import { narrow } from "./columns.js";
 
@@ -31,7 +32,8 @@ const entry = (term, words, name = nothing) =>
   words ? html`<div class=${name}><dt>${term}</dt><dd>${words}</dd></div>` : nothing;
 
 /** @param {string} text @param {string} href */
-const link = (text, href) => entry("Link", html`<a href=${href} rel="noreferrer">${text}</a>`);
+const link = (text, href) =>
+  entry("Link", html`<a href=${href} rel="noreferrer" target=${aside()}>${text}</a>`);
 
 /** @param {any} provenance */
 const data = ({ database, tag, file, sha256 }) => html`${database} ${tag}, ${file},

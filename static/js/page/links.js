@@ -2,6 +2,21 @@
 
 import { h } from "./dom.js";
 
+/** Whether this page stands in another one, as theme.js found it. */
+const embedded = () => globalThis.document?.documentElement.hasAttribute("data-embed") ?? false;
+
+/**
+ * Within an embedded page a link leads to an embedded one: nothing else may be shown in a frame.
+ * @param {string} href of this page
+ */
+function kept(href) {
+  if (!embedded() || /[?&]embed=/u.test(href)) return href;
+  return `${href}${href.includes("?") ? "&" : "?"}embed=1`;
+}
+
+/** Where a link to what is no view of this page opens: not in the frame of an embedded one. */
+export const aside = () => (embedded() ? "_blank" : "_self");
+
 /**
  * @param {string} view
  * @param {Record<string, string | number | null | undefined>} [state] what differs from the defaults
@@ -15,7 +30,7 @@ export function addressOf(view, state = {}) {
         `${encodeURIComponent(key)}=${encodeURIComponent(String(value)).replace(/%2C/g, ",")}`,
     )
     .join("&");
-  return query ? `?${query}` : "./";
+  return kept(query ? `?${query}` : "./");
 }
 
 /** Become what an address says, as soon as its view is there: main.js listens. @param {string} href */
@@ -38,7 +53,8 @@ export function clicked(go) {
  * @param {(href: string) => void} [go] what a plain click does; by default the state becomes the link's
  */
 export function followed(text, href, go = follow) {
-  return h("a", { href, onclick: clicked(() => go(href)) }, text);
+  const to = kept(href);
+  return h("a", { href: to, onclick: clicked(() => go(to)) }, text);
 }
 
 /**

@@ -3,6 +3,7 @@
 import { createChoices } from "../controls/panel.js";
 import { createSelect } from "../controls/select.js";
 import { copyText, flash, h } from "../page/dom.js";
+import { aside } from "../page/links.js";
 import { html, nothing, render } from "../page/lit.js";
 import { loadStyle } from "../page/style.js";
 import { sayProblem } from "../page/trouble.js";
@@ -82,7 +83,7 @@ export function createSnippets({ models, actions, say, save }) {
           <pre class="code" tabindex="0" role="group" aria-label="Code" ?hidden=${wrong}><code>${code}</code></pre>
           <p class="checked" ?hidden=${wrong}>
             ${by && `${CHECKED[checked] ?? ""}${by}.`}
-            <a class="quiet" href=${shown ? link : nothing}>as plain text</a>
+            <a class="quiet" href=${shown ? link : nothing} target=${aside()}>as plain text</a>
           </p>`,
         element,
       );

@@ -3,7 +3,7 @@
 import { EXAMPLES } from "../models/examples.js";
 import { percent, signed, significant } from "../numbers/format.js";
 import { h } from "../page/dom.js";
-import { pageLink } from "../page/links.js";
+import { aside, pageLink } from "../page/links.js";
 import { html, nothing, render } from "../page/lit.js";
 import { words } from "../page/prose.js";
 
@@ -47,7 +47,7 @@ export function chosen(claims, { verdict, by }) {
 const figureRow = (figure) => html`<tr>
   <td>${amount(figure)}</td>
   <td>${words(figure.says)}</td>
-  <td><a href=${figure.request.replace(/^\//, "")} title="read ${figure.reading}"><code>${figure.request}</code></a></td>
+  <td><a href=${figure.request.replace(/^\//, "")} target=${aside()} title="read ${figure.reading}"><code>${figure.request}</code></a></td>
 </tr>`;
 
 /** @param {Part} part */

@@ -109,7 +109,9 @@ export function createMystery({ catalog, state, actions, say }) {
       if (n === undefined || k === undefined || !(n >= 0.05 && n <= 5 && k >= 0 && k <= 8))
         throw new ExpressionError("n goes from 0.05 to 5 and k from 0 to 8");
       const href = addressOf("theory", { section: "mystery", mystery: encode({ n, k }) });
-      const link = new URL(href, location.href).href;
+      const whole = new URL(href, location.href);
+      whole.searchParams.delete("embed");
+      const link = whole.href;
       const done = await copyText(link);
       flash(/** @type {HTMLElement} */ (currentTarget), done);
       made = html`<a href=${href}>${link}</a>`;
