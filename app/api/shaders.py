@@ -26,8 +26,8 @@ TEXT_AS_WELL: dict[int | str, dict[str, object]] = {
 class ShaderQuery(QueryModel):
     """Which language, and how much."""
 
-    language: Literal["glsl", "hlsl", "wgsl", "osl", "python"] = Field(
-        "glsl", description="Shading language, or Python with NumPy."
+    language: Literal["glsl", "hlsl", "wgsl", "osl", "javascript", "python"] = Field(
+        "glsl", description="Shading language, JavaScript, or Python with NumPy."
     )
     channels: Literal["1", "3"] = Field(
         "1", description="1 for real numbers; 3 adds a function of RGB colors, `<model>_rgb`."
@@ -58,7 +58,7 @@ def router(registry: Registry) -> APIRouter:
         "/shaders/{model_id}",
         response_model=Shader,
         responses=TEXT_AS_WELL,
-        summary="A model as a function in GLSL, HLSL, WGSL, OSL or Python",
+        summary="A model as a function in GLSL, HLSL, WGSL, OSL, JavaScript or Python",
     )
     def one_shader(model_id: str, query: Annotated[ShaderQuery, Query()]) -> Shader | Response:
         try:

@@ -1,6 +1,7 @@
 """What a model is, and the registry that finds every one in `app.optics.models`."""
 
 import importlib
+import inspect
 import pkgutil
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
@@ -92,9 +93,9 @@ class Model:
     """Kinds of interface the formula was made for, both unless given."""
     parameters: tuple[Parameter, ...] = ()
     """The model's own parameters, passed to `function` by name."""
-    solve: Callable[..., Mapping[str, Array]] | None = None
-    """`solve(interface, **parameters)` returns values for those parameters that are None, worked
-    out from the interface; other entries are ignored."""
+    solve: Mapping[str, Callable[..., Array]] = field(default_factory=dict, hash=False)
+    """How each parameter without a default is worked out where it is not given, by name: a function of
+    the interface and of any parameters that stand before it, by their names."""
     limits: Callable[[Interface], str | None] = field(default=lambda _: None)
     """Returns why an interface lies outside the domain, or None inside; asked after
     `applies_to`."""
@@ -122,8 +123,9 @@ class Model:
 
     def __post_init__(self) -> None:
         """Refuse a parameter without a default that nothing solves."""
-        unsolved = [parameter.name for parameter in self.parameters if parameter.default is None]
-        if unsolved and self.solve is None:
+        optional = [parameter.name for parameter in self.parameters if parameter.default is None]
+        unsolved = [name for name in optional if name not in self.solve]
+        if unsolved:
             raise ValueError(f"{self.id}: {unsolved} have neither a default nor a way to be solved")
 
     @property
@@ -161,12 +163,13 @@ class Model:
         OutOfRange
             If a parameter's value is out of its bounds.
         """
-        checked: dict[str, Array | None] = {}
+        complete: dict[str, Array] = {}
         for parameter in self.parameters:
             given = parameters.pop(parameter.name, None)
             value = parameter.default if given is None else given
             try:
-                checked[parameter.name] = None if value is None else parameter.check(value)
+                if value is not None:
+                    complete[parameter.name] = parameter.check(value)
             except OutOfRange as error:
                 name = f"{self.id}.{parameter.name}"
                 raise OutOfRange(name, error.value, error.allowed) from None
@@ -174,12 +177,15 @@ class Model:
             own = [parameter.name for parameter in self.parameters]
             name, value = next(iter(parameters.items()))
             raise NotAllowed(f"{self.id}.{name}", value, f"{self.id} has the parameters {own}")
-        complete = {name: value for name, value in checked.items() if value is not None}
-        if len(complete) < len(checked) and self.solve is not None:
-            with np.errstate(invalid="ignore", divide="ignore"):
-                solved = self.solve(interface, **checked)
-            complete |= {name: solved[name] for name in checked if name not in complete}
-        return complete
+        if len(complete) == len(self.parameters):
+            return complete
+        with np.errstate(invalid="ignore", divide="ignore"):
+            for parameter in self.parameters:
+                if parameter.name not in complete:
+                    function = self.solve[parameter.name]
+                    known = {name: complete[name] for name in _asked(function)}
+                    complete[parameter.name] = function(interface, **known)
+        return {parameter.name: complete[parameter.name] for parameter in self.parameters}
 
     def evaluate(
         self, interface: Interface, incidence: Incidence, arguments: Mapping[str, Array]
@@ -199,6 +205,12 @@ class Model:
         if interface.kind not in self.applies_to:
             return f"made for a {' or '.join(self.applies_to)}, and this is a {interface.kind}"
         return self.limits(interface)
+
+
+@cache
+def _asked(function: Callable[..., Array]) -> tuple[str, ...]:
+    """Names of the parameters that a function takes beside the interface."""
+    return tuple(inspect.signature(function).parameters)[1:]
 
 
 class Registry(Collection[Model]):

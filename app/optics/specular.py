@@ -1,12 +1,12 @@
 """What the models of Schlick's family share: F0, F82, their polynomial and their common limit."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
 from app.optics.amplitudes import reflectance
 from app.optics.incidence import Incidence
-from app.optics.interface import Interface, worked_out_once
+from app.optics.interface import Interface, normal_reflectance, worked_out_once
 from app.optics.numerics.choice import anywhere
 from app.optics.parameters import RGB, UNLESS_GIVEN, Array, Condition, Number, share
 
@@ -67,17 +67,22 @@ def dip(mu: Array) -> Array:
     return np.asarray(mu * (g2 * g2 * g2))
 
 
-def is_own(interface: Interface, F0: Array | None) -> Condition:
-    """Where an F0 is the interface's but for rounding; one that is not given is.
+def own_F0(interface: Interface) -> Array:
+    """F0 of the interface, where none is given."""
+    return interface.F0
+
+
+SOLVE_F0: Mapping[str, Callable[..., Array]] = {"F0": own_F0}
+"""How models that ask for F0 alone find it."""
+
+
+def is_own(interface: Interface, F0: Array) -> Condition:
+    """Where an F0 is the interface's but for rounding.
 
     What else is known of the interface, as its F82, belongs to its own F0 and to no other.
     """
-    return F0 is None or np.isclose(F0, interface.F0, rtol=1e-9, atol=0.0)
-
-
-def only_F0(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
-    """F0 of the interface alone, for models that do not ask for more."""
-    return {"F0": interface.F0}
+    own = normal_reflectance(interface.n_i, interface.n_t, interface.k_t)
+    return np.abs(F0 - own) <= 1e-9 * own
 
 
 def no_critical_angle(interface: Interface) -> str | None:

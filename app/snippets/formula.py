@@ -5,8 +5,9 @@ roots and the like, its syntax tree is all that another language needs. What is 
 
 - `incidence.cos` is the argument mu, `incidence.sin` its square root, `interface.eta` an argument eta;
 - `np.where(c, a, b)` is a choice, `x**2` a product, `np.asarray(x)` nothing but x;
+- `F82(interface)` is an argument F82, as it takes an evaluation of its own;
 - another function of ours that is called comes along, or is put in place if it is one expression;
-- constants of the module become constants of the function.
+- constants of the module become constants of the function, `with np.errstate` is passed over.
 
 Anything else is refused, by a message that says what.
 """
@@ -16,6 +17,7 @@ from __future__ import annotations
 import ast
 import inspect
 import io
+import math
 import textwrap
 import tokenize
 from collections.abc import Callable, Iterator, Mapping
@@ -37,6 +39,8 @@ FUNCTIONS = {
     "tan": "tan",
     "arcsin": "asin",
     "arccos": "acos",
+    "arctan": "atan",
+    "arctan2": "atan2",
     "minimum": "min",
     "maximum": "max",
     "power": "pow",
@@ -126,9 +130,8 @@ class _Reader(ast.NodeTransformer):
 
     def formula(self, name: str) -> Formula:
         steps: list[Step] = []
-        body = self._definition.body[:]
-        if ast.get_docstring(self._definition) is not None:
-            del body[0]
+        body = self._definition.body[ast.get_docstring(self._definition) is not None :]
+        body = [inner for statement in body for inner in _unwrapped(statement)]
         value: ast.expr | None = None
         comment: tuple[str, ...] = ()
         for statement in body:
@@ -207,7 +210,9 @@ class _Reader(ast.NodeTransformer):
             case ast.Attribute(value=ast.Name(id="incidence"), attr="theta_i"):
                 return ast.Call(ast.Name("acos"), [self._quantity(MU)], [])
             case ast.Attribute(value=ast.Name(id="np"), attr="pi"):
-                return ast.Constant(3.141592653589793)
+                return ast.Constant(math.pi)
+            case ast.Attribute(value=ast.Name(id="np"), attr="nan"):
+                return ast.Constant(math.nan)
             case _:
                 raise self._refusal(node, "what shading languages lack")
 
@@ -279,6 +284,8 @@ class _Reader(ast.NodeTransformer):
                 name in FUNCTIONS and not node.keywords
             ):
                 return ast.Call(ast.Name(FUNCTIONS[name]), [self.visit(a) for a in node.args], [])
+            case ast.Call(func=ast.Name(id="F82"), args=[ast.Name(id="interface")]):
+                return self._quantity("F82")
             case ast.Call(func=ast.Name(id=name)) if not node.keywords:
                 function = self._globals.get(name)
                 if not inspect.isfunction(function):
@@ -318,6 +325,17 @@ class Replace(ast.NodeTransformer):
 
     def visit_Name(self, node: ast.Name) -> ast.expr:  # noqa: D102
         return self._values.get(node.id, node)
+
+
+def _unwrapped(statement: ast.stmt) -> list[ast.stmt]:
+    """Take what stands in `with np.errstate(...)` out of it: other languages do not warn."""
+    match statement:
+        case ast.With(items=[ast.withitem(context_expr=call)], body=body) if ast.unparse(
+            call
+        ).startswith("np.errstate("):
+            return body
+        case _:
+            return [statement]
 
 
 def _comments(source: str) -> dict[int, str]:

@@ -1,12 +1,13 @@
 """How each language writes a formula."""
 
 import ast
+import math
 import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from app.snippets.formula import FUNCTIONS, Formula, Step
+from app.snippets.formula import FUNCTIONS, Formula, Step, Untranslatable
 
 Trust = Literal["run", "compiled", "untested"]
 
@@ -34,7 +35,7 @@ _COMPARISONS: dict[type[ast.cmpop], str] = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Language:
-    """A shading language with C's syntax, and what the others change of it."""
+    """A language with C's syntax, and what the others change of it."""
 
     id: str
     title: str
@@ -63,6 +64,8 @@ class Language:
 
     def number(self, value: float) -> str:
         """Write a number with the digits that 32 bit floats need."""
+        if math.isnan(value):
+            raise Untranslatable(f"it holds NaN, which {self.title} has no way to write")
         text = f"{value:.9g}"
         return text if set(text) & set(".en") else f"{text}.0"
 
@@ -78,6 +81,10 @@ class Language:
     def both(self, op: ast.boolop) -> tuple[str, int]:
         """Write `and` or `or`."""
         return ("&&", _AND) if isinstance(op, ast.And) else ("||", _OR)
+
+    def comparison(self, op: ast.cmpop) -> str:
+        """Write what compares two numbers."""
+        return _COMPARISONS[type(op)]
 
     def negation(self) -> str:
         """Write `not`."""
@@ -104,7 +111,7 @@ class Language:
             case ast.UnaryOp(op=ast.Not(), operand=operand):
                 return f"{self.negation()}{self.inside(operand, _ATOM)}", _SIGN
             case ast.Compare(left=left, ops=[op], comparators=[right]):
-                sign = _COMPARISONS[type(op)]
+                sign = self.comparison(op)
                 return f"{self.inside(left, _SUM)} {sign} {self.inside(right, _SUM)}", _COMPARE
             case ast.BoolOp(op=op, values=values):
                 sign, binds = self.both(op)
@@ -212,11 +219,54 @@ class _Wgsl(Language):
         return f"fn {name}({given}) -> {self.real if colors is None else self.color} {{"
 
 
+class _Glsl(Language):
+    """GLSL: one name for both arctangents."""
+
+    def called(self, name: str) -> str:
+        return "atan" if name == "atan2" else name
+
+
+class _JavaScript(Language):
+    """JavaScript: numbers without types, in 64 bits."""
+
+    def number(self, value: float) -> str:
+        return "NaN" if math.isnan(value) else repr(value).removesuffix(".0")
+
+    def comparison(self, op: ast.cmpop) -> str:
+        return {ast.Eq: "===", ast.NotEq: "!=="}.get(type(op)) or super().comparison(op)
+
+    def called(self, name: str) -> str:
+        return f"Math.{name}" if name in _NUMPY else name
+
+    def expression(self, node: ast.expr) -> tuple[str, int]:
+        match node:
+            case ast.Call(func=ast.Name(id="exp2"), args=[exponent]):
+                return f"Math.pow(2, {self.inside(exponent, _CHOICE)})", _ATOM
+            case _:
+                return super().expression(node)
+
+    def declared(self, step: Step, truths: frozenset[str]) -> list[str]:  # noqa: ARG002
+        return self.broken(f"const {self.name(step.name)} = ", step.value)
+
+    def constant_line(self, name: str, value: float) -> str:
+        return f"const {name} = {self.number(value)};"
+
+    def head(self, name: str, arguments: Sequence[str], colors: Sequence[str] | None) -> str:  # noqa: ARG002
+        return f"function {name}({', '.join(map(self.name, arguments))}) {{"
+
+    def per_channel(self, formula: Formula, colors: Sequence[str]) -> list[str]:
+        given = ", ".join(
+            f"{self.name(a)}[i]" if a in colors else self.name(a) for a in formula.arguments
+        )
+        head = self.head(f"{formula.name}_rgb", formula.arguments, colors)
+        return [head, f"    return [0, 1, 2].map((i) => {formula.name}({given}));", "}"]
+
+
 class _Python(Language):
     """Python with NumPy, for numbers and arrays of any shape alike."""
 
     def number(self, value: float) -> str:
-        return repr(value)
+        return "np.nan" if math.isnan(value) else repr(value)
 
     def called(self, name: str) -> str:
         own = _NUMPY.get(name)
@@ -260,7 +310,7 @@ _NUMPY = {written: name for name, written in FUNCTIONS.items()}
 LANGUAGES: dict[str, Language] = {
     language.id: language
     for language in (
-        Language(
+        _Glsl(
             id="glsl",
             title="GLSL",
             checked="run",
@@ -293,6 +343,12 @@ LANGUAGES: dict[str, Language] = {
             constant="",
             rgb=("[0]", "[1]", "[2]"),
             reserved=frozenset({"normal", "point", "vector", "color", "matrix", "output"}),
+        ),
+        _JavaScript(
+            id="javascript",
+            title="JavaScript",
+            checked="run",
+            checked_by="run by Node.js against Python; the page draws from it while something moves",
         ),
         _Python(
             id="python",

@@ -14,7 +14,7 @@ OPEN = [m.id for m in default_registry().values() if reason_without(m) is not No
 def test_lists_languages_and_models(ask: Ask) -> None:
     listed = json_of(ask("/shaders"))
     checked = {language["id"]: language["checked"] for language in listed["languages"]}
-    assert list(checked) == ["glsl", "hlsl", "wgsl", "osl", "python"]
+    assert list(checked) == ["glsl", "hlsl", "wgsl", "osl", "javascript", "python"]
     assert checked["osl"] == "untested"
     assert [link["model"] for link in listed["shaders"]] == list(default_registry())
     for link in listed["shaders"]:

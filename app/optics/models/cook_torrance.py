@@ -3,7 +3,7 @@
 import numpy as np
 
 from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
-from app.optics.specular import F0_PARAMETER, no_critical_angle, only_F0
+from app.optics.specular import F0_PARAMETER, SOLVE_F0, no_critical_angle
 
 
 def cook_torrance(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
@@ -32,7 +32,7 @@ MODEL = Model(
     cost=Cost(add=8, mul=8, div=2, sqrt=1),
     function=cook_torrance,
     parameters=(F0_PARAMETER,),
-    solve=only_F0,
+    solve=SOLVE_F0,
     limits=no_critical_angle,
     measured=(
         Measured(1, 0.27, 2.9, max_abs=0.485, at_deg=88.5, rms=0.147),

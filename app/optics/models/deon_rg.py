@@ -1,7 +1,5 @@
 """D'Eon's modified parameters: exact Fresnel from reflectance and a tint that is an angle."""
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from app.optics.amplitudes import reflectance
@@ -15,6 +13,7 @@ from app.optics.edge_tint import (
 )
 from app.optics.models import Array, Cost, Incidence, Interface, Model
 from app.optics.models.exact import exact_real
+from app.optics.specular import own_F0
 
 
 def deon_rg(interface: Interface, incidence: Incidence, r: Array, G: Array) -> Array:  # noqa: ARG001
@@ -35,8 +34,9 @@ def deon_rg_real(mu: Array, r: Array, G: Array) -> Array:
     return exact_real(mu, eta, kappa)
 
 
-def _solve(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
-    return {"r": interface.F0, "G": deon_G(interface.eta, interface.kappa, interface.F0)}
+def solved_G(interface: Interface) -> Array:
+    """Tint angle of the interface."""
+    return deon_G(interface.eta, interface.kappa, interface.F0)
 
 
 MODEL = Model(
@@ -53,5 +53,5 @@ MODEL = Model(
     snippet=deon_rg_real,
     rounding=(1e-14, 1e-14),
     parameters=(REFLECTANCE, TINT_ANGLE),
-    solve=_solve,
+    solve={"r": own_F0, "G": solved_G},
 )

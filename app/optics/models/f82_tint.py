@@ -1,7 +1,5 @@
 """F82-tint: Hoffman's curve steered by the ratio to Schlick at 82 degrees."""
 
-from collections.abc import Mapping
-
 import numpy as np
 from scipy.optimize.elementwise import find_root
 
@@ -22,6 +20,7 @@ from app.optics.specular import (
     MU_BAR,
     dip,
     is_own,
+    own_F0,
     polynomial,
     tint_at_82,
 )
@@ -72,9 +71,10 @@ def _at(g: Array, rise: Array, depth: Array) -> Array:
     return np.asarray(1.0 - rise + rise * fifth - depth * g * fifth * (1.0 - g))
 
 
-def _solve(interface: Interface, F0: Array | None, **_: Array | None) -> Mapping[str, Array]:
-    tint = tint_at_82(interface.F0, F82(interface))
-    return {"F0": interface.F0, "tint": np.where(is_own(interface, F0), tint, 1.0)}
+def solved_tint(interface: Interface, F0: Array) -> Array:
+    """Tint of the interface where F0 is its own, else none."""
+    tint = tint_at_82(F0, F82(interface))
+    return np.where(is_own(interface, F0), tint, 1.0)
 
 
 MODEL = Model(
@@ -91,7 +91,7 @@ MODEL = Model(
     cost=Cost(add=3, mul=7),
     function=f82_tint,
     parameters=(F0_PARAMETER, TINT),
-    solve=_solve,
+    solve={"F0": own_F0, "tint": solved_tint},
     leaves_0_to_1=True,
     kinks=_kinks,
     measured=(

@@ -1,7 +1,5 @@
 """Schlick with free end, free exponent and Hoffman's dip."""
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from app.optics.models import (
@@ -15,7 +13,16 @@ from app.optics.models import (
     Parameter,
     share,
 )
-from app.optics.specular import DIP_SCALE, F0_PARAMETER, F82, MU_BAR, dip, is_own, no_critical_angle
+from app.optics.specular import (
+    DIP_SCALE,
+    F0_PARAMETER,
+    F82,
+    MU_BAR,
+    dip,
+    is_own,
+    no_critical_angle,
+    own_F0,
+)
 
 F90 = share(
     "F90",
@@ -53,13 +60,11 @@ def generalized_schlick(
     return np.asarray(F0 + (F90 - F0) * rise - a * dip(incidence.cos))
 
 
-def _solve(
-    interface: Interface, F0: Array | None, F90: Array, exponent: Array, **_: Array | None
-) -> Mapping[str, Array]:
-    normal = interface.F0 if F0 is None else F0
-    at_82 = normal + (F90 - normal) * (1.0 - MU_BAR) ** exponent
+def solved_a(interface: Interface, F0: Array, F90: Array, exponent: Array) -> Array:
+    """Depth with which the curve meets the interface's F82 where its ends are the interface's."""
+    at_82 = F0 + (F90 - F0) * (1.0 - MU_BAR) ** exponent
     own = (F90 == 1.0) & is_own(interface, F0)
-    return {"F0": normal, "a": np.where(own, DIP_SCALE * (at_82 - F82(interface)), 0.0)}
+    return np.where(own, DIP_SCALE * (at_82 - F82(interface)), 0.0)
 
 
 MODEL = Model(
@@ -74,7 +79,7 @@ MODEL = Model(
     cost=Cost(add=3, mul=6, pow=1),
     function=generalized_schlick,
     parameters=(F0_PARAMETER, F90, EXPONENT, A),
-    solve=_solve,
+    solve={"F0": own_F0, "a": solved_a},
     leaves_0_to_1=True,
     limits=no_critical_angle,
     measured=(

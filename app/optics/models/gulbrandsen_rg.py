@@ -1,7 +1,5 @@
 """Gulbrandsen's artist-friendly parameters: exact Fresnel from reflectance and edge tint."""
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from app.optics.amplitudes import reflectance
@@ -15,6 +13,7 @@ from app.optics.edge_tint import (
 )
 from app.optics.models import Array, Cost, Incidence, Interface, Model
 from app.optics.models.exact import exact_real
+from app.optics.specular import own_F0
 
 
 def gulbrandsen_rg(interface: Interface, incidence: Incidence, r: Array, g: Array) -> Array:  # noqa: ARG001
@@ -35,8 +34,9 @@ def gulbrandsen_rg_real(mu: Array, r: Array, g: Array) -> Array:
     return exact_real(mu, eta, np.sqrt(np.maximum(kappa2, 0.0)))
 
 
-def _solve(interface: Interface, **_: Array | None) -> Mapping[str, Array]:
-    return {"r": interface.F0, "g": gulbrandsen_g(interface.eta, interface.F0)}
+def solved_g(interface: Interface) -> Array:
+    """Edge tint of the interface."""
+    return gulbrandsen_g(interface.eta, interface.F0)
 
 
 def _outside(interface: Interface) -> str | None:
@@ -59,6 +59,6 @@ MODEL = Model(
     snippet=gulbrandsen_rg_real,
     rounding=(1e-14, 1e-14),
     parameters=(REFLECTANCE, EDGE_TINT),
-    solve=_solve,
+    solve={"r": own_F0, "g": solved_g},
     limits=_outside,
 )

@@ -1,7 +1,5 @@
 """Hoffman's Schlick for metals, made to meet the reflectance at 82 degrees."""
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
@@ -13,6 +11,7 @@ from app.optics.specular import (
     MU_BAR,
     dip,
     is_own,
+    own_F0,
     polynomial,
 )
 
@@ -24,10 +23,9 @@ def hoffman_f82(interface: Interface, incidence: Incidence, F0: Array, F82: Arra
     return np.asarray(polynomial(F0, incidence.cos) - a * dip(incidence.cos))
 
 
-def _solve(interface: Interface, F0: Array | None, **_: Array | None) -> Mapping[str, Array]:
-    normal = interface.F0 if F0 is None else F0
-    at_82 = np.where(is_own(interface, F0), F82(interface), polynomial(normal, MU_BAR))
-    return {"F0": normal, "F82": at_82}
+def solved_F82(interface: Interface, F0: Array) -> Array:
+    """F82 of the interface where F0 is its own, else Schlick's there."""
+    return np.where(is_own(interface, F0), F82(interface), polynomial(F0, MU_BAR))
 
 
 MODEL = Model(
@@ -43,7 +41,7 @@ MODEL = Model(
     cost=Cost(add=3, mul=7),
     function=hoffman_f82,
     parameters=(F0_PARAMETER, F82_PARAMETER),
-    solve=_solve,
+    solve={"F0": own_F0, "F82": solved_F82},
     leaves_0_to_1=True,
     measured=(
         Measured(1, 0.27, 2.9, max_abs=0.00841, at_deg=68.8, rms=0.00486),

@@ -1,7 +1,5 @@
 """Lazanyi and Szirmay-Kalos: Schlick with a term for the dip of metals."""
 
-from collections.abc import Mapping
-
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize.elementwise import find_root
@@ -96,9 +94,9 @@ def _media(interface: Interface) -> tuple[Array, Array, Array]:
     return interface.n_i, interface.n_t, interface.k_t
 
 
-def _solve(interface: Interface, a: Array | None, alpha: Array | None) -> Mapping[str, Array]:
-    depth = 2.0 * interface.eta if a is None else a
-    return {"a": depth, "alpha": solve_alpha(interface, depth) if alpha is None else alpha}
+def solved_a(interface: Interface) -> Array:
+    """Depth of the dip where none is given."""
+    return np.asarray(2.0 * interface.eta)
 
 
 def _outside(interface: Interface) -> str | None:
@@ -122,7 +120,7 @@ MODEL = Model(
     cost=Cost(add=3, mul=6, pow=1),
     function=lazanyi2005,
     parameters=(A, ALPHA),
-    solve=_solve,
+    solve={"a": solved_a, "alpha": solve_alpha},
     leaves_0_to_1=True,
     limits=_outside,
     measured=(

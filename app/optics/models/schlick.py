@@ -1,7 +1,7 @@
 """Schlick's polynomial, the approximation in nearly every renderer."""
 
 from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
-from app.optics.specular import F0_PARAMETER, no_critical_angle, only_F0, polynomial
+from app.optics.specular import F0_PARAMETER, SOLVE_F0, no_critical_angle, polynomial
 
 
 def schlick(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
@@ -20,7 +20,7 @@ MODEL = Model(
     cost=Cost(add=2, mul=4),
     function=schlick,
     parameters=(F0_PARAMETER,),
-    solve=only_F0,
+    solve=SOLVE_F0,
     measured=(
         Measured(1, 1.333, 0, max_abs=0.0592, at_deg=83.8, rms=0.0246),
         Measured(1, 1.5, 0, max_abs=0.0357, at_deg=85.0, rms=0.0163),

@@ -2,7 +2,7 @@
 
 from app.optics.color import encode_srgb
 from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
-from app.optics.specular import F0_PARAMETER, only_F0, polynomial
+from app.optics.specular import F0_PARAMETER, SOLVE_F0, polynomial
 
 
 def schlick_f0_srgb(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
@@ -22,7 +22,7 @@ MODEL = Model(
     cost=Cost(add=2, mul=4),
     function=schlick_f0_srgb,
     parameters=(F0_PARAMETER,),
-    solve=only_F0,
+    solve=SOLVE_F0,
     limits=lambda _: "a trap: F0 has to be decoded from sRGB to linear first",
     measured=(
         Measured(1, 1.5, 0, max_abs=0.181, at_deg=0.0, rms=0.153),

@@ -3,7 +3,7 @@
 import numpy as np
 
 from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
-from app.optics.specular import F0_PARAMETER, no_critical_angle, only_F0
+from app.optics.specular import F0_PARAMETER, SOLVE_F0, no_critical_angle
 
 
 def spherical_gaussian(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
@@ -23,7 +23,7 @@ MODEL = Model(
     cost=Cost(add=2, mul=3, pow=1),
     function=spherical_gaussian,
     parameters=(F0_PARAMETER,),
-    solve=only_F0,
+    solve=SOLVE_F0,
     limits=no_critical_angle,
     measured=(
         Measured(1, 1.5, 0, max_abs=0.0387, at_deg=85.3, rms=0.0162),
