@@ -43,6 +43,7 @@ from app.server.observe.middleware import Observed
 from app.server.observe.route import metrics_router
 from app.server.pool import Pool
 from app.settings import Settings
+from app.snippets.kernels import kernels
 
 _DESCRIPTION = """
 Reflection at smooth surfaces: exact Fresnel curves for dielectrics and conductors, the formulas
@@ -55,6 +56,9 @@ is allowed; nothing is clamped, guessed or ignored.
 
 _PROBED = (f"{PREFIX}/health", "/metrics")
 """Paths that are asked by address, not by name."""
+
+_KERNELS = "kernels.js"
+"""The models in JavaScript, beside the page's files; pages of other origins may import them too."""
 
 
 class _Application(FastAPI):
@@ -78,7 +82,9 @@ class _Application(FastAPI):
             read_timeout_s=settings.read_timeout_s,
             write_timeout_s=settings.write_timeout_s,
         )
-        app = CommonHeaders(app, api=(f"{PREFIX}/", "/openapi.json"), documents=document_headers)
+        app = CommonHeaders(
+            app, api=(f"{PREFIX}/", "/openapi.json", f"/{_KERNELS}"), documents=document_headers
+        )
         access_log = AccessLog() if settings.access_log else None
         return Observed(drain.around(app), self.state.metrics, access_log)
 
@@ -147,5 +153,6 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     for router in routers:
         app.include_router(router, prefix=PREFIX)
     app.include_router(metrics_router())
-    app.router.routes.append(Fallback("/", Page(settings.static_dir), name="page"))
+    made = {_KERNELS: kernels(registry).encode()}
+    app.router.routes.append(Fallback("/", Page(settings.static_dir, made), name="page"))
     return app

@@ -1,8 +1,9 @@
 """Angles at which something happens: Brewster's, critical, pseudo-Brewster and principal angle."""
 
-import cmath
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from scipy.optimize import brentq
@@ -11,6 +12,32 @@ from app.optics.factors import brewster_angle_deg, critical_angle_deg
 from app.optics.interface import Interface, worked_out_once
 from app.optics.numerics.choice import anywhere, everywhere, select
 from app.optics.parameters import Array
+
+
+@dataclass(frozen=True, slots=True)
+class Zero:
+    """An angle without a closed form: where a function of one unknown, eta and kappa crosses 0.
+
+    All four are closed formulas of real numbers, so that other languages can solve them too.
+    """
+
+    function: Callable[[float, float, float], float]
+    """Of eta, kappa and the unknown; at most 0 at the low end, at least 0 at the high one."""
+    low: Callable[[float, float], float]
+    high: Callable[[float, float], float]
+    """The ends, of eta and kappa, with no other zero between them."""
+    tangent2: Callable[[float, float, float], float]
+    """tan^2(theta_i), of the same."""
+
+    def angle_deg(self, eta: float, kappa: float) -> float:
+        """Solve for the angle in degrees."""
+        low, high = self.low(eta, kappa), self.high(eta, kappa)
+        function = partial(self.function, eta, kappa)
+        x = brentq(function, low, high, xtol=1e-300, rtol=_LEAST_RTOL)
+        return math.degrees(math.atan(math.sqrt(self.tangent2(eta, kappa, x))))
+
+
+_LEAST_RTOL = 4.0 * float(np.finfo(float).eps)
 
 
 @worked_out_once
@@ -50,7 +77,7 @@ def critical_deg(interface: Interface) -> Array:
 def pseudo_brewster_deg(interface: Interface) -> Array:
     """Angle of least Rp, which is Brewster's angle without absorption.
 
-    There is no closed form that keeps its digits; the angle is solved one interface at a time.
+    There is no closed form that keeps its digits; `LEAST_RP` is solved one interface at a time.
 
     Returns
     -------
@@ -63,43 +90,19 @@ def pseudo_brewster_deg(interface: Interface) -> Array:
     .. [1] R. M. A. Azzam, Complex reflection coefficients of p- and s-polarized light at the
        pseudo-Brewster angle of a dielectric-conductor interface, J. Opt. Soc. Am. A 30, 1975 (2013).
     """
-    return _brewster_or(interface, _least_Rp_deg)
+    return _brewster_or(interface, LEAST_RP)
 
 
-def _brewster_or(interface: Interface, solve: Callable[[float, float], float]) -> Array:
-    """Brewster's angle without absorption, elsewhere `solve(eta, kappa)`, one at a time."""
+def _brewster_or(interface: Interface, zero: Zero) -> Array:
+    """Brewster's angle without absorption, elsewhere the angle of a zero, one at a time."""
     if not interface.is_conductor:
         return brewster_deg(interface)
     eta, kappa, _ = interface.relative
     if isinstance(eta, float) and isinstance(kappa, float):
-        return np.asarray(solve(eta, kappa))
+        return np.asarray(zero.angle_deg(eta, kappa))
     lossless = brewster_deg(interface)
-    solved = np.vectorize(solve, otypes=[np.float64])(eta, kappa)
+    solved = np.vectorize(zero.angle_deg, otypes=[np.float64])(eta, kappa)
     return np.where(np.isnan(lossless), solved, lossless)
-
-
-# tan^2 of the pseudo-Brewster angle over |N|^2: 1 without absorption, 1/2 for small and purely
-# imaginary N. Nothing else is a zero of the slope, so that a wider bracket holds just the minimum.
-_BRACKET = (0.25, 2.0)
-
-
-def _least_Rp_deg(eta: float, kappa: float) -> float:
-    """Solve d Rp / d theta = 0.
-
-    With t = tan^2(theta_i) and w = q/(N^2 cos), r_p = (1 - w)/(1 + w), where w^2 = A t + 1/N^2 with
-    A = (N^2 - 1)/N^4, and 1 - w^2 = A (N^2 - t). So d(log Rp)/dt = -2 Re 1/(w (N^2 - t)), which
-    has the sign of -Re w (N^2 - t): negative at normal, positive toward grazing incidence.
-    """
-    square = complex(eta, kappa) ** 2
-    size, slant = abs(square), (square - 1.0) / square**2
-
-    def slope(relative: float) -> float:
-        t = relative * size
-        w = cmath.sqrt(slant * t + 1.0 / square)
-        return -(w * (square - t)).real
-
-    t = size * brentq(slope, *_BRACKET, xtol=1e-15, rtol=1e-15)
-    return math.degrees(math.atan(math.sqrt(t)))
 
 
 @worked_out_once
@@ -136,43 +139,87 @@ def principal_deg(interface: Interface) -> Array:
     >>> round(float(phase_deg(at.r_p) - phase_deg(at.r_s)) % 180, 9)
     90.0
     """
-    return _brewster_or(interface, _quadrature_deg)
+    return _brewster_or(interface, QUADRATURE)
 
 
-def _quadrature_deg(eta: float, kappa: float) -> float:
-    """Solve t^2 = |N^2 + (N^2 - 1) t| for the least t = tan^2(theta_i).
+def _slope_of_Rp(eta: float, kappa: float, x: float) -> float:
+    """What d Rp / d theta has the sign of, of x = 1 - tan^2(theta_i)/|N|^2.
 
-    By the triangle inequality every root is within |N^2|/high and high, each of which is the root
-    itself without absorption, above and below eta = 1.
+    With t = tan^2(theta_i) and w = q/(N^2 cos), r_p = (1 - w)/(1 + w), where w^2 = A t + 1/N^2 with
+    A = (N^2 - 1)/N^4, and 1 - w^2 = A (N^2 - t). So d(log Rp)/dt = -2 Re 1/(w (N^2 - t)), and where it
+    is 0 the square of w (N^2 - t) is real. That is a cubic of t, here divided by Im N^2, of which only
+    one zero lies within 1/2 and 1 of |N|^2: 1 without absorption, 1/2 for small and imaginary N.
     """
-    square = complex(eta, kappa) ** 2
-    size, reach = abs(square), abs(square - 1.0)
-    high = 0.5 * reach + math.hypot(0.5 * reach, math.sqrt(size))
-
-    def excess(t: float) -> float:
-        return t * t - abs(square + (square - 1.0) * t)
-
-    # Rounding must not leave the root outside.
-    low, high = size / high * (1.0 - 1e-9), high * (1.0 + 1e-9)
-    turn = _first_maximum(square)
-    if turn is not None and low < turn < high and excess(turn) > 0.0:
-        high = turn
-    t = brentq(excess, low, high, xtol=1e-300, rtol=4.0 * np.finfo(float).eps)
-    return math.degrees(math.atan(math.sqrt(t)))
+    size, faint = eta * eta + kappa * kappa, 2.0 * kappa * kappa / (eta * eta + kappa * kappa)
+    square, cubic = 3.0 - 6.0 * faint - 3.0 * size, 2.0 - 2.0 * faint - size
+    return ((square - cubic * x) * x + 2.0 * size + 6.0 * faint) * x - 2.0 * faint
 
 
-def _first_maximum(square: complex) -> float | None:
-    """Where t^4 - |N^2 + (N^2 - 1) t|^2 has a maximum, beyond which further roots may lie.
+def _end_of_slope(eta: float, kappa: float) -> float:  # noqa: ARG001
+    return 0.5
 
-    Half its slope is 2 t^3 - a t + b with a = |N^2 - 1|^2 and b = Re N^2 - |N^2|^2, which falls below 0
-    between two positive roots only if b is positive, |N| < 1 that is, and small enough.
+
+def _start_of_slope(eta: float, kappa: float) -> float:  # noqa: ARG001
+    return 0.0
+
+
+def _of_slope(eta: float, kappa: float, x: float) -> float:
+    return (1.0 - x) * (eta * eta + kappa * kappa)
+
+
+def _lacks_quadrature(eta: float, kappa: float, t: float) -> float:
+    """t^2 - |N^2 + (N^2 - 1) t|, of t = tan^2(theta_i)."""
+    re = (eta - kappa) * (eta + kappa) * (1.0 + t) - t
+    im = 2.0 * eta * kappa * (1.0 + t)
+    return t * t - math.sqrt(re * re + im * im)
+
+
+def _reach(eta: float, kappa: float) -> float:
+    """|N^2 - 1|."""
+    re, im = (eta - kappa) * (eta + kappa) - 1.0, 2.0 * eta * kappa
+    return math.sqrt(re * re + im * im)
+
+
+def _most(eta: float, kappa: float) -> float:
+    """By the triangle inequality every zero is within |N^2| over this and this.
+
+    Without absorption each of both is the zero itself, above and below eta = 1; rounding must not leave
+    it outside.
     """
-    a, b = abs(square - 1.0) ** 2, square.real - abs(square) ** 2
-    if b <= 0.0 or 27.0 * b * b > 2.0 * a**3:
-        return None
+    half = 0.5 * _reach(eta, kappa)
+    return (half + math.sqrt(half * half + eta * eta + kappa * kappa)) * (1.0 + 1e-9)
+
+
+def _least(eta: float, kappa: float) -> float:
+    return (eta * eta + kappa * kappa) / _most(eta, kappa)
+
+
+def _until_turn(eta: float, kappa: float) -> float:
+    """The upper end, before a maximum beyond which further zeros may lie.
+
+    Half the slope of t^4 - |N^2 + (N^2 - 1) t|^2 is 2 t^3 - a t + b with a = |N^2 - 1|^2 and
+    b = Re N^2 - |N^2|^2, which falls below 0 between two positive roots only if b is positive, |N| < 1
+    that is, and small enough.
+    """
+    reach, size = _reach(eta, kappa), eta * eta + kappa * kappa
+    a, b = reach * reach, (eta - kappa) * (eta + kappa) - size * size
     scale = math.sqrt(a / 6.0)
-    return 2.0 * scale * math.sin(math.asin(min(b / (4.0 * scale**3), 1.0)) / 3.0)
+    share = np.minimum(np.maximum(b, 0.0) / np.maximum(4.0 * scale * scale * scale, 1e-300), 1.0)
+    turn = 2.0 * scale * np.sin(np.arcsin(share) / 3.0)
+    turns = (b > 0.0) & (27.0 * b * b <= 2.0 * a * a * a)
+    within = turns & (turn > _least(eta, kappa)) & (turn < _most(eta, kappa))
+    past = within & (_lacks_quadrature(eta, kappa, turn) > 0.0)
+    return float(np.where(past, turn, _most(eta, kappa)))
 
+
+def _itself(eta: float, kappa: float, t: float) -> float:  # noqa: ARG001
+    return t
+
+
+LEAST_RP = Zero(_slope_of_Rp, _start_of_slope, _end_of_slope, _of_slope)
+"""The pseudo-Brewster angle."""
+QUADRATURE = Zero(_lacks_quadrature, _least, _until_turn, _itself)
+"""The principal angle."""
 
 LANDMARKS: Mapping[str, Callable[[Interface], Array]] = {
     "brewster_deg": brewster_deg,

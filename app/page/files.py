@@ -15,7 +15,7 @@ from starlette.responses import Response
 from starlette.staticfiles import PathLike, StaticFiles
 from starlette.types import Receive, Scope, Send
 
-from app.http.body import EncodedBody, Headers
+from app.http.body import Effort, EncodedBody, Headers
 from app.page.service_worker import SCRIPT, service_worker
 
 _CONTENT_SECURITY_POLICY = "; ".join(
@@ -63,13 +63,25 @@ _TEXT = {".css", ".html", ".js", ".json", ".svg", ".txt", ".webmanifest"}
 
 
 class Page(StaticFiles):
-    """Static files: text is compressed once, vendored files never change under their path."""
+    """Static files: text is compressed once, vendored files never change under their path.
 
-    def __init__(self, directory: Path) -> None:
+    Parameters
+    ----------
+    directory
+        The folder of the files.
+    made
+        Scripts that stand beside them without being files, by name.
+    """
+
+    def __init__(self, directory: Path, made: Mapping[str, bytes] | None = None) -> None:
         super().__init__(directory=directory, html=True)
+        self._made = made or {}
+        self._scripts = {name: _script(script) for name, script in self._made.items()}
 
     async def get_response(self, path: str, scope: MutableMapping[str, Any]) -> Response:
         """Answer with a file; what cannot name a file is not found."""
+        if path in self._scripts and scope["method"] in {"GET", "HEAD"}:
+            return _Text(self._scripts[path])
         try:
             return await super().get_response(path, scope)
         except (ValueError, OSError):  # a NUL byte or a name longer than the file system takes
@@ -89,10 +101,8 @@ class Page(StaticFiles):
         cache_control = "public, max-age=31536000, immutable" if vendored else "no-cache"
         if path.suffix in _TEXT and status_code == 200:
             if parts == (SCRIPT,):
-                script = service_worker(Path(str(self.directory)).resolve())
-                return _Text(
-                    EncodedBody(script, _headers("text/javascript; charset=utf-8", "no-cache"))
-                )
+                script = service_worker(Path(str(self.directory)).resolve(), self._made)
+                return _Text(_script(script, "quick"))
             return _Text(_encoded(path, stat_result.st_mtime_ns, cache_control))
         response = super().file_response(full_path, stat_result, scope, status_code)
         response.headers["Cache-Control"] = cache_control
@@ -121,6 +131,10 @@ def _headers(media_type: str, cache_control: str) -> Headers:
         (b"content-type", media_type.encode()),
         (b"cache-control", cache_control.encode()),
     ]
+
+
+def _script(script: bytes, effort: Effort = "thorough") -> EncodedBody:
+    return EncodedBody(script, _headers("text/javascript; charset=utf-8", "no-cache"), effort)
 
 
 @lru_cache(maxsize=512)

@@ -1,6 +1,7 @@
 """The page's service worker: its script with the files to keep and a version made of them."""
 
 import json
+from collections.abc import Mapping
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
@@ -14,13 +15,15 @@ _KEPT = {".css", ".html", ".js", ".svg", ".webmanifest", ".woff2"}
 _NOT_KEPT = ("docs/", "vendor/swagger", SCRIPT)
 
 
-def service_worker(static_dir: Path) -> bytes:
+def service_worker(static_dir: Path, made: Mapping[str, bytes] | None = None) -> bytes:
     """Return the script of the service worker, which changes when any file of the page does.
 
     Parameters
     ----------
     static_dir
         The folder of the page's files.
+    made
+        What the server adds to them, by name.
     """
     files = sorted(
         path
@@ -28,11 +31,14 @@ def service_worker(static_dir: Path) -> bytes:
         if path.suffix in _KEPT
         and not path.relative_to(static_dir).as_posix().startswith(_NOT_KEPT)
     )
-    return _script(static_dir, tuple((path, path.stat().st_mtime_ns) for path in files))
+    stamped = tuple((path, path.stat().st_mtime_ns) for path in files)
+    return _script(static_dir, stamped, tuple((made or {}).items()))
 
 
 @lru_cache(maxsize=1)
-def _script(static_dir: Path, files: tuple[tuple[Path, int], ...]) -> bytes:
+def _script(
+    static_dir: Path, files: tuple[tuple[Path, int], ...], made: tuple[tuple[str, bytes], ...]
+) -> bytes:
     digest = sha256(__version__.encode())
     addresses = []
     for path, _ in files:
@@ -40,6 +46,9 @@ def _script(static_dir: Path, files: tuple[tuple[Path, int], ...]) -> bytes:
         digest.update(address.encode())
         digest.update(sha256(path.read_bytes()).digest())
         addresses.append("./" if address == "index.html" else address)
+    for name, content in made:
+        addresses.append(name)
+        digest.update(sha256(content).digest())
     source = (static_dir / SCRIPT).read_bytes()
     digest.update(source)
     head = (

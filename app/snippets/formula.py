@@ -4,7 +4,7 @@ A model's function is written once, in NumPy. Where it is closed, that is made o
 roots and the like, its syntax tree is all that another language needs. What is read here:
 
 - `incidence.cos` is the argument mu, `incidence.sin` its square root, `interface.eta` an argument eta;
-- `np.where(c, a, b)` is a choice, `x**2` a product, `np.asarray(x)` nothing but x;
+- `np.where(c, a, b)` is a choice, `x**2` a product, `np.asarray(x)` and `float(x)` nothing but x;
 - `F82(interface)` is an argument F82, as it takes an evaluation of its own;
 - another function of ours that is called comes along, or is put in place if it is one expression;
 - constants of the module become constants of the function, `with np.errstate` is passed over.
@@ -21,7 +21,9 @@ import math
 import textwrap
 import tokenize
 from collections.abc import Callable, Iterator, Mapping
+from copy import deepcopy
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 MU = "mu"
@@ -90,6 +92,7 @@ class Formula:
         yield self
 
 
+@lru_cache(maxsize=512)
 def read(function: Callable[..., Any], name: str | None = None) -> Formula:
     """Read `function` as a formula, named `name` or else as the function is.
 
@@ -190,8 +193,10 @@ class _Reader(ast.NodeTransformer):
         return ast.Name(name)
 
     def _sine_squared(self) -> ast.expr:
-        mu = self._quantity(MU)
-        return ast.BinOp(ast.Constant(1.0), ast.Sub(), ast.BinOp(mu, ast.Mult(), mu))
+        # 1 - mu^2 would have few digits near normal incidence.
+        mu, one = self._quantity(MU), ast.Constant(1.0)
+        sides = ast.BinOp(one, ast.Sub(), mu), ast.BinOp(one, ast.Add(), mu)
+        return ast.BinOp(sides[0], ast.Mult(), sides[1])
 
     def _refusal(self, node: ast.AST, what: str) -> Untranslatable:
         return Untranslatable(f"it holds {what}: {ast.unparse(node).splitlines()[0]}")
@@ -273,14 +278,17 @@ class _Reader(ast.NodeTransformer):
 
     def visit_Call(self, node: ast.Call) -> ast.expr:
         match node:
-            case ast.Call(func=ast.Attribute(value=ast.Name(id="np"), attr="asarray")):
+            case (
+                ast.Call(func=ast.Attribute(value=ast.Name(id="np"), attr="asarray"))
+                | ast.Call(func=ast.Name(id="float"))
+            ):
                 inner: ast.expr = self.visit(node.args[0])
                 return inner
             case ast.Call(
                 func=ast.Attribute(value=ast.Name(id="np"), attr="where"), args=[test, a, b]
             ):
                 return ast.IfExp(self.visit(test), self.visit(a), self.visit(b))
-            case ast.Call(func=ast.Attribute(value=ast.Name(id="np"), attr=name)) if (
+            case ast.Call(func=ast.Attribute(value=ast.Name(id="np" | "math"), attr=name)) if (
                 name in FUNCTIONS and not node.keywords
             ):
                 return ast.Call(ast.Name(FUNCTIONS[name]), [self.visit(a) for a in node.args], [])
@@ -319,8 +327,8 @@ class Replace(ast.NodeTransformer):
         self._values = values
 
     def put_into(self, expression: ast.expr) -> ast.expr:
-        """Return the expression with that done, in place."""
-        replaced: ast.expr = self.visit(expression)
+        """Return the expression with that done."""
+        replaced: ast.expr = self.visit(deepcopy(expression))
         return replaced
 
     def visit_Name(self, node: ast.Name) -> ast.expr:  # noqa: D102

@@ -6,6 +6,7 @@ of nothing beyond their ends. Inside the domain nothing changes.
 """
 
 import ast
+from copy import deepcopy
 from dataclasses import replace
 
 from app.snippets.formula import MU, Formula, Replace, Step
@@ -19,6 +20,7 @@ TOLD = "Beyond its ends mu is cut to them; a root of less than 0 is 0."
 
 def guarded(formula: Formula) -> Formula:
     """Cut mu to 0 to 1, and what roots and arc sines are taken of to what they are defined for."""
+    formula = deepcopy(formula)
     helpers = tuple(_defined(helper, cosine=None) for helper in formula.helpers)
     formula = replace(formula, helpers=helpers)
     if MU not in formula.arguments:

@@ -242,6 +242,9 @@ class _JavaScript(Language):
         match node:
             case ast.Call(func=ast.Name(id="exp2"), args=[exponent]):
                 return f"Math.pow(2, {self.inside(exponent, _CHOICE)})", _ATOM
+            case ast.Call(func=ast.Name(id="clamp"), args=arguments):
+                x, least, most = (self.inside(a, _CHOICE) for a in arguments)
+                return f"Math.min(Math.max({x}, {least}), {most})", _ATOM
             case _:
                 return super().expression(node)
 
@@ -349,6 +352,7 @@ LANGUAGES: dict[str, Language] = {
             title="JavaScript",
             checked="run",
             checked_by="run by Node.js against Python; the page draws from it while something moves",
+            reserved=frozenset({"null", "in", "new", "var", "let", "this", "function", "default"}),
         ),
         _Python(
             id="python",

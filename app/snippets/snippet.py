@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 from app.optics.parameters import K_T, MU, N_I, N_T
 from app.optics.registry import Measured, Model
@@ -43,7 +42,9 @@ def formula_of(model: Model) -> Formula:
     Untranslatable
         If the model has no closed form of real numbers; the message says why.
     """
-    return _formula_of(model.id, model)
+    if isinstance(model.snippet, str):
+        raise Untranslatable(model.snippet)
+    return read(model.snippet or model.function, model.id)
 
 
 def reason_without(model: Model) -> str | None:
@@ -53,13 +54,6 @@ def reason_without(model: Model) -> str | None:
     except Untranslatable as error:
         return str(error)
     return None
-
-
-@lru_cache(maxsize=256)
-def _formula_of(name: str, model: Model) -> Formula:
-    if isinstance(model.snippet, str):
-        raise Untranslatable(model.snippet)
-    return guarded(read(model.snippet or model.function, name))
 
 
 def arguments_of(model: Model) -> tuple[Argument, ...]:
@@ -105,7 +99,7 @@ def write(model: Model, language: Language, channels: int = 1) -> str:
     Untranslatable
         If the model has no closed form of real numbers.
     """
-    formula, arguments = formula_of(model), arguments_of(model)
+    formula, arguments = guarded(formula_of(model)), arguments_of(model)
     lines = language.commented(
         [
             *_told(model),

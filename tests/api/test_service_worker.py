@@ -32,6 +32,10 @@ def test_the_version_is_that_of_the_contents(tmp_path: Path) -> None:
     assert constant(after, "VERSION") != constant(before, "VERSION")
     (folder / "js" / "b.js").write_text("")
     assert constant(service_worker(folder), "FILES") == ["./", "js/a.js", "js/b.js"]
+    made = service_worker(folder, {"kernels.js": b"1"})
+    assert constant(made, "FILES") == ["./", "js/a.js", "js/b.js", "kernels.js"]
+    other = service_worker(folder, {"kernels.js": b"2"})
+    assert constant(made, "VERSION") != constant(other, "VERSION")
 
 
 def test_it_keeps_what_every_view_needs_and_nothing_that_is_not_there() -> None:

@@ -4,6 +4,7 @@ import numpy as np
 
 from app.optics.amplitudes import reflectance
 from app.optics.models import Array, Cost, Incidence, Interface, Model
+from app.optics.parameters import Number
 
 
 def exact(interface: Interface, incidence: Incidence) -> Array:
@@ -11,12 +12,14 @@ def exact(interface: Interface, incidence: Incidence) -> Array:
     return reflectance(interface, incidence)
 
 
-def exact_real(mu: Array, eta: Array, kappa: Array) -> Array:
+def exact_real(mu: Number, eta: Array, kappa: Array) -> Array:
     """The same in real arithmetic, in few enough operations for a shader."""
     sin2 = (1.0 - mu) * (1.0 + mu)
     N2_re, N2_im = (eta - kappa) * (eta + kappa), 2.0 * eta * kappa
     # q = a + i b, the root of N^2 - sin^2; the smaller part from the product, where nothing cancels.
-    q2_re = N2_re - sin2
+    # Where eta is near 1 and the ray grazes, the differences from 1 keep the digits of both squares.
+    grazing = (eta - 1.0) * (eta + 1.0) - kappa**2 + mu * mu
+    q2_re = np.where(mu * mu > 0.5, N2_re - sin2, grazing)
     larger = np.sqrt(0.5 * (np.sqrt(q2_re * q2_re + N2_im * N2_im) + np.abs(q2_re)))
     smaller = 0.5 * N2_im / np.maximum(larger, 1e-18)
     a = np.where(q2_re >= 0.0, larger, smaller)

@@ -8,13 +8,13 @@ from app.optics.models import Array, Cost, Incidence, Interface, Model
 def wloka_eq6(interface: Interface, incidence: Incidence) -> Array:
     """R from theta_i and theta_t, with the limit at normal incidence, where the quotient is 0/0."""
     n_i, n_t = interface.n_i, interface.n_t
-    theta_i = incidence.theta_i
-    theta_t = np.arcsin(n_i / n_t * incidence.sin)
+    theta_i, sine = incidence.theta_i, incidence.sin
+    theta_t = np.arcsin(n_i / n_t * sine)
     difference, total = theta_i - theta_t, theta_i + theta_t
     sines = (np.sin(difference) / np.sin(total)) ** 2
     cosines = (np.cos(total) / np.cos(difference)) ** 2
     normal = ((n_i - n_t) / (n_i + n_t)) ** 2
-    return np.where(incidence.sin == 0.0, normal, 0.5 * sines * (1.0 + cosines))
+    return np.where(sine == 0.0, normal, 0.5 * sines * (1.0 + cosines))
 
 
 MODEL = Model(

@@ -12,6 +12,7 @@ export const LANGUAGES = [
   { id: "hlsl", label: "HLSL", file: "hlsl" },
   { id: "wgsl", label: "WGSL", file: "wgsl" },
   { id: "osl", label: "OSL", file: "osl" },
+  { id: "javascript", label: "JavaScript", file: "js" },
   { id: "python", label: "Python", file: "py" },
 ];
 
