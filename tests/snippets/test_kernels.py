@@ -22,8 +22,9 @@ from app.optics.quantities import QUANTITIES
 from app.optics.registry import Model, default_registry
 from app.optics.specular import F82
 from app.snippets.kernels import kernels
-from app.snippets.snippet import arguments_of
-from tests.snippets.cases import MODELS
+from app.snippets.languages import LANGUAGES
+from app.snippets.snippet import arguments_of, write
+from tests.snippets.cases import MODELS, cases
 
 Array = NDArray[np.float64]
 
@@ -133,12 +134,13 @@ class Asking:
     def __init__(self) -> None:
         self.asked: list[dict[str, Any]] = []
 
-    def ask(self, path: list[str], columns: Mapping[str, Array]) -> None:
-        lists = {name: np.broadcast_to(c, POINTS).tolist() for name, c in columns.items()}
+    def ask(self, path: list[str], columns: Mapping[str, Array], size: int = POINTS) -> None:
+        lists = {name: np.broadcast_to(c, size).tolist() for name, c in columns.items()}
         self.asked.append({"path": path, "columns": lists})
 
-    def answers(self, node: str, folder: Path) -> list[Array]:
-        (folder / "kernels.mjs").write_text(kernels(default_registry()), "utf-8")
+    def answers(self, node: str, folder: Path, module: str | None = None) -> list[Array]:
+        text = kernels(default_registry()) if module is None else module
+        (folder / "kernels.mjs").write_text(text, "utf-8")
         (folder / "asked.json").write_text(json.dumps(self.asked), "utf-8")
         run = subprocess.run(
             [node, "--input-type=module", "-e", EVALUATE, "asked.json", f"{folder}/kernels.mjs"],
@@ -237,6 +239,33 @@ def test_parameters_are_worked_out_as_in_python(node: str, tmp_path: Path) -> No
                 right.append(model.arguments(at.interface, **before)[parameter.name])
     for values, expected in zip(asking.answers(node, tmp_path), right, strict=True):
         assert_near(values, expected, 1e-12, 1e-13)
+
+
+def test_code_to_take_away_runs(node: str, tmp_path: Path) -> None:
+    asking, right, entries = Asking(), list[Array](), list[str]()
+    for model in MODELS:
+        names = [a.name for a in arguments_of(model)]
+        code = write(model, LANGUAGES["javascript"], 3)
+        colors = [a.name for a in arguments_of(model) if a.per_channel]
+        entries.append(f"{model.id}: (() => {{ {code}")
+        entries.append(f"Object.assign({model.id}, {{takes: {json.dumps(names)}}});")
+        if colors:
+            once = ", ".join(f"[{n}, 1, {n}]" if n in colors else n for n in names)
+            entries.append(
+                f"const rgb = Object.assign(({', '.join(names)}) => {{"
+                f" const [R, , B] = {model.id}_rgb({once}); return R === B ? R : 'differ'; }},"
+                f" {{takes: {json.dumps(names)}}}); return {{R: {model.id}, rgb}}; }})(),"
+            )
+        else:
+            entries.append(f"return {{R: {model.id}, rgb: {model.id}}}; }})(),")
+        for case in cases(model, exactly=True):
+            for function in ("R", "rgb"):
+                columns = dict(zip(names, case.arguments, strict=True))
+                asking.ask([model.id, function], columns, case.R.size)
+                right.append(case.R)
+    module = "\n".join(["export const models = {", *entries, "};"])
+    for values, R in zip(asking.answers(node, tmp_path, module), right, strict=True):
+        assert_near(values, R, 0.0, 1e-13)
 
 
 def test_is_small_and_versioned() -> None:

@@ -177,7 +177,7 @@ def test_bounds_stand_where_something_may_be_undefined_and_nowhere_else() -> Non
     assert glsl == (
         "float rooted(float mu, float eta, float share) {\n"
         "    float c = clamp(mu, 0.0, 1.0);\n"
-        "    float s = sqrt(1.0 - c * c);\n"
+        "    float s = sqrt((1.0 - c) * (1.0 + c));\n"
         "    float ratio = sqrt(share * share + s) / eta;\n"
         "    return asin(min(ratio, 1.0)) + sqrt(max(1.0 - ratio, 0.0)) + pow(1.0 - c, share)\n"
         "            + pow(max(share, 0.0), 0.5);\n"
