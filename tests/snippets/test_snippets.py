@@ -57,7 +57,7 @@ def test_says_where_it_leaves_0_to_1(model: Model) -> None:
 
 def test_only_what_says_why_has_none() -> None:
     without = {m.id: reason_without(m) for m in default_registry().values() if m not in MODELS}
-    assert set(without) == {"complex_form", "complex_dielectric", "lut_1d"}
+    assert set(without) == {"complex_form", "complex_dielectric", "constant_f0", "lut_1d"}
     assert all(default_registry()[model].snippet == why for model, why in without.items())
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
-from app.optics.specular import F0_PARAMETER, fifth_power, no_critical_angle, only_F0
+from app.optics.specular import F0_PARAMETER, SOLVE_F0, fifth_power, no_critical_angle
 
 
 def babylon_openpbr(interface: Interface, incidence: Incidence, F0: Array) -> Array:
@@ -24,7 +24,7 @@ MODEL = Model(
     cost=Cost(add=3, mul=5),
     function=babylon_openpbr,
     parameters=(F0_PARAMETER,),
-    solve=only_F0,
+    solve=SOLVE_F0,
     limits=no_critical_angle,
     measured=(
         Measured(1, 1.333, 0, max_abs=0.334, at_deg=90.0, rms=0.0812),

@@ -1,7 +1,7 @@
 """No Fresnel at all: what some engines reflect of glass or of metals, at every angle."""
 
 from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
-from app.optics.specular import F0_PARAMETER, no_critical_angle, only_F0
+from app.optics.specular import F0_PARAMETER, SOLVE_F0, no_critical_angle
 
 
 def constant_f0(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
@@ -21,7 +21,7 @@ MODEL = Model(
     function=constant_f0,
     snippet="it is F0 itself",
     parameters=(F0_PARAMETER,),
-    solve=only_F0,
+    solve=SOLVE_F0,
     limits=no_critical_angle,
     measured=(
         Measured(1, 1.5, 0, max_abs=0.96, at_deg=90.0, rms=0.28),
