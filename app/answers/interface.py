@@ -6,6 +6,7 @@ from typing import Literal
 
 from app.answers.answer import answer, filled, number_or_none
 from app.materials.media import Resolved
+from app.materials.schema import RelativeTo, WavelengthIn
 from app.optics.angles import LANDMARKS
 from app.optics.interface import Interface, Kind
 from app.optics.specular import F82
@@ -44,8 +45,13 @@ class ResolvedPreset:
     wavelength_nm: float | None
     """Where it was evaluated, in nm; null where the source names no wavelength."""
     n: float
+    """Relative to what the source measured it."""
+    n_absolute: float
+    """The same against vacuum: this is n_t or n_i."""
     k: float | None
     """Null where the source does not give it."""
+    relative_to: RelativeTo
+    wavelength_in: WavelengthIn
     sample: str
     """bulk, film, model, calculated or unstated"""
     confidence: Literal["high", "medium", "low"]
@@ -65,6 +71,7 @@ class ResolvedPreset:
             preset,
             wavelength_nm=constants.wavelength_nm,
             n=constants.n,
+            n_absolute=constants.n_absolute,
             k=constants.k,
             doi=list(preset.doi),
             warnings=list(resolved.warnings),

@@ -66,7 +66,8 @@ class InterfaceQuery(QueryModel):
     k_t: Number = number(K_T, examples=[0.0])
     material: str | None = preset_name(
         "Id or alias of a preset in place of n_t and k_t, as listed at /materials; a k that its "
-        "source does not give, or below 1e-6, counts as 0.",
+        "source does not give, or below 1e-6, counts as 0. An index that was measured in air is "
+        "made absolute: n_i = 1 is vacuum, and `incident=air` is air.",
         "Au",
     )
     incident: str | None = preset_name(
@@ -75,8 +76,9 @@ class InterfaceQuery(QueryModel):
     )
     wavelength_nm: Number | None = wavelength(
         None,
-        "Wavelength in vacuum, in nm, at which the presets are evaluated, within the range of "
-        "each; by default their own, 587.6 nm for measured spectra.",
+        "Wavelength in nm at which the presets are evaluated, in vacuum or in air as the source of "
+        "each counts it (`wavelength_in`), within the range of each; by default their own, 587.6 nm "
+        "for measured spectra.",
     )
     _incident: Resolved | None = PrivateAttr(None)
     _material: Resolved | None = PrivateAttr(None)
@@ -99,12 +101,12 @@ class InterfaceQuery(QueryModel):
         if self.material is not None:
             with reported_as():
                 self._material = resolve_material(self.material, self.wavelength_nm)
-            object.__setattr__(self, "n_t", self._material.constants.n)
+            object.__setattr__(self, "n_t", self._material.constants.n_absolute)
             object.__setattr__(self, "k_t", self._material.k_t)
         if self.incident is not None:
             with reported_as(material="incident"):
                 self._incident = resolve_incident(self.incident, self.wavelength_nm)
-            object.__setattr__(self, "n_i", self._incident.constants.n)
+            object.__setattr__(self, "n_i", self._incident.constants.n_absolute)
         return self
 
     def interface(self) -> PresetInterface:

@@ -21,6 +21,7 @@ from app.optics.color import (
     apply_gamut,
     linear_srgb,
     luminance,
+    rendered_white,
     srgb_weights,
 )
 from app.optics.errors import OutOfRange
@@ -55,11 +56,18 @@ class Appearance:
     """Luminous reflectance Y at normal incidence."""
     warnings: tuple[str, ...]
     """Where the spectrum does not cover the visible, and whether k is not known."""
+    white: Array
+    """The perfect reflector in the same light: ones unless that keeps its cast."""
 
     @property
     def F82_tint(self) -> Array:
         """F82 over Schlick's value there, per channel: what the F82-tint model takes."""
-        return tint_at_82(self.F0, self.F82)
+        return tint_at_82(self.F0 / self.white, self.F82 / self.white)
+
+    def of_white(self) -> "Appearance":
+        """What the surface reflects of each channel, without the cast of the light: for models."""
+        white = self.white
+        return replace(self, F0=self.F0 / white, F82=self.F82 / white, white=np.ones(3))
 
     def within(self, gamut: Gamut) -> "Appearance":
         """The same look with F0 brought into the gamut, and F82 along with it.
@@ -70,7 +78,8 @@ class Appearance:
         if gamut == "unclamped":
             return self
         F0 = apply_gamut(self.F0, gamut)
-        F82 = np.clip(self.F82_tint * polynomial(F0, MU_BAR), 0.0, 1.0)
+        schlick = self.white * polynomial(F0 / self.white, MU_BAR)
+        F82 = np.clip(self.F82_tint * schlick, 0.0, 1.0)
         return replace(self, F0=F0, F82=F82)
 
 
@@ -86,7 +95,7 @@ def interface(spectrum: Spectrum, wavelength_nm: ArrayLike, n_i: ArrayLike = 1.0
     OutOfRange
         If n or k is beyond what the core takes, as those of metals in the far infrared.
     """
-    n, k = spectrum.n(wavelength_nm), spectrum.k(wavelength_nm)
+    n, k = spectrum.n_absolute(wavelength_nm), spectrum.k(wavelength_nm)
     try:
         return Interface(n_i, n, 0.0 if k is None else k)
     except OutOfRange as error:
@@ -169,6 +178,7 @@ def appearance(
         F82=at_82,
         luminance=float(luminance(boundary.F0, *viewing[:2])),
         warnings=seen.warnings,
+        white=rendered_white(*viewing),
     )
 
 
@@ -177,7 +187,8 @@ def averaged_interface(
 ) -> Interface:
     """Boundary of constants averaged to three channels, as renderers do that have no spectra.
 
-    Each curve is weighted as if it were a reflectance, so constant curves keep their value. An
+    Each curve is weighted by the channel's share of the light, so constant curves keep their value,
+    in light whose white is not adapted too. An
     average of constants is not the constant of an average: compare with `color_curve`, which is
     right. Channels that no index can be, as those below 0, are cut to the core's bounds.
 
@@ -187,9 +198,14 @@ def averaged_interface(
         Of shape (3, 1).
     """
     seen = spectrum.visible
+    white = rendered_white(*viewing)
+
+    def mean(values: ArrayLike) -> Array:
+        return linear_srgb(values, *viewing) / white
+
     media = ((n_i, N_I), (seen.n, N_T), (seen.k, K_T))
     averaged = (
-        (np.full(3, values) if np.ndim(values) == 0 else linear_srgb(values, *viewing), bounds)
+        (np.full(3, values) if np.ndim(values) == 0 else mean(values), bounds)
         for values, bounds in media
     )
     return Interface(

@@ -21,6 +21,9 @@ class Constants:
     """
 
     n: float
+    """Relative to what the source measured it."""
+    n_absolute: float
+    """The same against vacuum: what a boundary is made of."""
     k: float | None
     wavelength_nm: float | None
 
@@ -141,10 +144,10 @@ class Catalog:
             if at is not None and at != preset.wavelength_nm and preset.wavelength_nm is not None:
                 only = preset.wavelength_nm
                 raise WavelengthOutOfRange(preset.id, "n", at, only, only)
-            return Constants(preset.n, preset.k, preset.wavelength_nm)
+            return Constants(preset.n, preset.n_absolute, preset.k, preset.wavelength_nm)
         spectrum = self.spectrum(preset.id)
-        n, k = spectrum.n(at), spectrum.k(at)
-        return Constants(float(n), None if k is None else float(k), at)
+        n, n_absolute, k = spectrum.n(at), spectrum.n_absolute(at), spectrum.k(at)
+        return Constants(float(n), float(n_absolute), None if k is None else float(k), at)
 
     def rivals(self, id: str) -> tuple[Preset, ...]:  # noqa: A002
         """Return the other measurements of the same material; a rival's include the chosen one."""

@@ -17,7 +17,7 @@ class Front:
     """A medium in front: a number, or a preset whose index varies."""
 
     n_i: float
-    """The index, at the reference wavelength of a preset."""
+    """The index against vacuum, at the reference wavelength of a preset."""
     preset: Preset | None = None
     """The preset that it comes from."""
     spectrum: Spectrum | None = None
@@ -39,9 +39,9 @@ class Front:
         if preset.category == "vacuum":
             return cls(1.0, preset)
         try:
-            return cls(preset.n, preset, catalog.spectrum(preset.id))
+            return cls(preset.n_absolute, preset, catalog.spectrum(preset.id))
         except NoSpectrum as error:
-            allowed = f"{error.allowed}, which can be given as n_i = {preset.n:.10g}"
+            allowed = f"{error.allowed}, which can be given as n_i = {preset.n_absolute:.10g}"
             raise NotAllowed(error.parameter, error.value, allowed) from None
 
     def range_beside(self, spectrum: Spectrum) -> tuple[float, float]:
@@ -68,7 +68,7 @@ class Front:
         """Return n_i at wavelengths, and what has to be said about it."""
         if self.preset is None or self.spectrum is None:
             return self.n_i, []
-        n, k = self.spectrum.n(wavelength_nm), self.spectrum.k(wavelength_nm)
+        n, k = self.spectrum.n_absolute(wavelength_nm), self.spectrum.k(wavelength_nm)
         said = transparency_warnings(self.preset, None if k is None else float(k.max()))
         return n, [f"{self.preset.id}: {warning}" for warning in said]
 

@@ -84,7 +84,7 @@ def resolve_material(name: str, wavelength_nm: float | None) -> Resolved:
     elif 0.0 < constants.k < NEGLIGIBLE_K:
         warnings.append(
             f"k = {constants.k:.3g} is below {NEGLIGIBLE_K:g} and counts as 0; "
-            f"give n_t = {float(constants.n)!r} and k_t = {float(constants.k)!r} to keep it"
+            f"give n_t = {float(constants.n_absolute)!r} and k_t = {float(constants.k)!r} to keep it"
         )
     return Resolved(preset, constants, tuple(warnings))
 
@@ -124,9 +124,9 @@ def _constants(name: str, wavelength_nm: float | None) -> tuple[Preset, Constant
     preset = catalog.get(name)
     if preset.category == "vacuum":  # 1 by definition, whatever the wavelength of the table
         at = preset.wavelength_nm if wavelength_nm is None else wavelength_nm
-        return preset, Constants(preset.n, 0.0, at)
+        return preset, Constants(preset.n, preset.n_absolute, 0.0, at)
     constants = catalog.constants(preset.id, wavelength_nm)
-    for quantity, value, bounds in (("n", constants.n, N_T), ("k", constants.k, K_T)):
+    for quantity, value, bounds in (("n", constants.n_absolute, N_T), ("k", constants.k, K_T)):
         if value is not None and not bounds.minimum <= value <= bounds.maximum:
             allowed = within(bounds, quantity, preset)
             raise OutOfRange("wavelength_nm", constants.wavelength_nm, allowed(value))
@@ -152,14 +152,16 @@ def constants_at(preset: Preset, wavelength_nm: Array) -> tuple[Array, Array]:
     Returns
     -------
     tuple
-        n, NaN at a wavelength at which the preset is not known, and k, NaN where that is not known.
+        n against vacuum, NaN at a wavelength at which the preset is not known, and k, NaN where
+        that is not known.
     """
     left_out = np.isnan(wavelength_nm)
     if preset.category == "vacuum":
-        known, n, k = np.ones(left_out.shape, np.bool_), np.asarray(preset.n), np.asarray(0.0)
+        known, n, k = np.ones(left_out.shape, np.bool_), np.asarray(1.0), np.asarray(0.0)
     elif preset.kind == "single":
         known = left_out | (wavelength_nm == preset.wavelength_nm)
-        n, k = np.asarray(preset.n), np.asarray(np.nan if preset.k is None else preset.k)
+        n = np.asarray(preset.n_absolute)
+        k = np.asarray(np.nan if preset.k is None else preset.k)
     else:
         spectrum = default_catalog().spectrum(preset.id)
         own = np.nan if preset.wavelength_nm is None else preset.wavelength_nm
@@ -168,5 +170,6 @@ def constants_at(preset: Preset, wavelength_nm: Array) -> tuple[Array, Array]:
         known = (at >= low) & (at <= high)
         within = np.where(known, at, low)
         absorbs = spectrum.k(within)
-        n, k = spectrum.n(within), np.full(at.shape, np.nan) if absorbs is None else absorbs
+        n = spectrum.n_absolute(within)
+        k = np.full(at.shape, np.nan) if absorbs is None else absorbs
     return np.where(known, n, np.nan), np.broadcast_to(k, known.shape)

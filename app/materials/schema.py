@@ -28,6 +28,22 @@ Category = Literal[
 Axis = Literal["isotropic", "o", "e"]
 Sample = Literal["bulk", "film", "model", "calculated", "unstated"]
 Confidence = Literal["high", "medium", "low"]
+Reference = Literal["vacuum", "air"]
+RelativeTo = Annotated[
+    Reference | None,
+    Field(
+        description="What the source measured n against: n relative to air is multiplied by air's "
+        "index before anything is computed, and is n_absolute then. Null where the source does not "
+        "say; n counts as absolute there."
+    ),
+]
+WavelengthIn = Annotated[
+    Reference | None,
+    Field(
+        description="Whether the source counts wavelengths in vacuum or in air, where they are "
+        "shorter by 0.03 %; null where it does not say. wavelength_nm is taken as the source counts."
+    ),
+]
 Id = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9.-]*$")]
 Text = Annotated[str, Field(min_length=1)]
 Sha256 = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
@@ -65,7 +81,7 @@ class Color:
     F82: Annotated[Channels, Field(description="At cos(theta_i) = 1/7.")]
     F82_tint: Annotated[
         Channels,
-        Field(description="F82 over Schlick's there: the tint of the F82-tint model."),
+        Field(description="F82 over Schlick's there, of the light's white: the tint of F82-tint."),
     ]
     luminance: Annotated[float, Field(description="Luminous reflectance Y at normal incidence.")]
 
@@ -84,6 +100,7 @@ class Row(Strict):
     n: float = Field(gt=0)
     n_min: float | None = Field(default=None, gt=0)
     n_max: float | None = Field(default=None, gt=0)
+    relative_to: Literal["vacuum"] | None = None
     wavelength_nm: float | None
     note: Text | None = None
     source: Text
@@ -128,7 +145,12 @@ class Preset:
         Id | None, Field(description="The preset this is another measurement of.")
     ] = None
     axis: Axis = "isotropic"
-    n: Annotated[float, Field(gt=0, description="At wavelength_nm.")]
+    n: Annotated[
+        float, Field(gt=0, description="At wavelength_nm, relative to what the source measured it.")
+    ]
+    n_absolute: Annotated[
+        float, Field(gt=0, description="The same against vacuum, which F0 and color are made from.")
+    ]
     n_min: Annotated[
         float | None, Field(description="Where the source gives a range, n is its middle.")
     ] = None
@@ -140,6 +162,8 @@ class Preset:
         float | None,
         Field(description="Reference wavelength in nm; null where the source names none."),
     ]
+    relative_to: RelativeTo = None
+    wavelength_in: WavelengthIn = None
     n_range_nm: Annotated[Range | None, Field(description="Where n is known, in nm.")]
     k_range_nm: Annotated[Range | None, Field(description="Where k is known, in nm.")]
     sample: Annotated[Sample, Field(description="What was measured.")]
@@ -240,6 +264,8 @@ class SpectrumFile(Strict):
     sample: Sample
     confidence: Confidence
     conditions: dict[Text, float | Text]
+    relative_to: RelativeTo
+    wavelength_in: WavelengthIn
     note: Text | None
     warnings: tuple[Text, ...]
     provenance: Provenance

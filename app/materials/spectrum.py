@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from app.materials.air import air_index
 from app.materials.dispersion import refractive_index
 from app.materials.errors import WavelengthOutOfRange
 from app.materials.schema import Formula, Points, Quantity, SpectrumFile
@@ -27,8 +28,9 @@ class Visible:
     """n and k at `app.optics.color.WAVELENGTH_NM`, for color alone."""
 
     n: Array
+    """Against vacuum, shape (471,)."""
     k: Array
-    """Shape (471,). Where the range ends within the visible, the end value is held."""
+    """Of the same shape. Where the range ends within the visible, the end value is held."""
     warnings: tuple[str, ...]
     """What was held, and whether k is not known and counts as 0."""
 
@@ -63,7 +65,9 @@ class Spectrum:
         self._k = None if file.k is None else _curve(file.k)
 
     def n(self, wavelength_nm: ArrayLike) -> Array:
-        """Refractive index at wavelengths in nanometers, of their shape.
+        """Refractive index as the source has it, at wavelengths in nanometers, of their shape.
+
+        `file.relative_to` says against what; `n_absolute` is what a boundary is made of.
 
         Raises
         ------
@@ -73,6 +77,14 @@ class Spectrum:
         wavelengths = np.asarray(wavelength_nm, dtype=np.float64)
         self._check("n", wavelengths, self.n_range_nm)
         return self._n(wavelengths)
+
+    def n_absolute(self, wavelength_nm: ArrayLike) -> Array:
+        """Refractive index against vacuum; arguments and errors as for `n`.
+
+        An index that was measured in air is multiplied by that of air, see `air_index`. One whose
+        source does not say is taken as absolute.
+        """
+        return self._against_vacuum(wavelength_nm, self.n(wavelength_nm))
 
     def k(self, wavelength_nm: ArrayLike) -> Array | None:
         """Extinction coefficient, of the wavelengths' shape, or None where it is not known.
@@ -108,8 +120,12 @@ class Spectrum:
         return (UNKNOWN_K,) if self.k_range_nm is None else ()
 
     def n_or_nan(self, wavelength_nm: Array) -> Array:
-        """Refractive index, NaN where it is not known."""
+        """Refractive index as the source has it, NaN where it is not known."""
         return _or_nan(self._n, self.n_range_nm, wavelength_nm)
+
+    def n_absolute_or_nan(self, wavelength_nm: Array) -> Array:
+        """Refractive index against vacuum, NaN where it is not known."""
+        return self._against_vacuum(wavelength_nm, self.n_or_nan(wavelength_nm))
 
     def k_or_nan(self, wavelength_nm: Array) -> Array | None:
         """Extinction coefficient, NaN where it is not known, or None where it is so everywhere."""
@@ -132,7 +148,7 @@ class Spectrum:
     @cached_property
     def visible(self) -> Visible:
         """n and k over the visible for color, which needs them everywhere; see `Visible`."""
-        n = self._n(np.clip(WAVELENGTH_NM, *self.n_range_nm))
+        n = self.n_absolute(np.clip(WAVELENGTH_NM, *self.n_range_nm))
         if self._k is None or self.k_range_nm is None:
             warnings = (*_held("n", self.n_range_nm), UNKNOWN_K)
             return Visible(n, np.zeros_like(n), warnings)
@@ -145,13 +161,17 @@ class Spectrum:
     def abbe_number(self) -> float | None:
         """V_d = (n_d - 1) / (n_F - n_C), or None where n is not known at all three lines.
 
-        None as well where n is a table: the difference would be that of its last digits.
+        None as well where n is a table: the difference would be that of its last digits. It is made
+        of n as the source has it: catalogs of glass print it of n relative to air.
         """
         low, high = self.n_range_nm
         if not isinstance(self.file.n, Formula) or low > F_LINE_NM or high < C_LINE_NM:
             return None
         n_d, n_F, n_C = self.n([D_LINE_NM, F_LINE_NM, C_LINE_NM])
         return float((n_d - 1.0) / (n_F - n_C)) if n_F != n_C else None
+
+    def _against_vacuum(self, wavelength_nm: ArrayLike, n: Array) -> Array:
+        return n * air_index(wavelength_nm) if self.file.relative_to == "air" else n
 
     def _check(self, quantity: str, wavelengths: Array, span: tuple[float, float]) -> None:
         inside = (wavelengths >= span[0]) & (wavelengths <= span[1])  # NaN compares false

@@ -151,6 +151,21 @@ def srgb_weights(
     return result
 
 
+def rendered_white(
+    illuminant: Illuminant = "D65",
+    observer: Observer = "cie1931_2deg",
+    adaptation: Adaptation = "bradford",
+) -> Array:
+    """Linear sRGB of the perfect reflector, shape (3,); arguments as for `srgb_weights`.
+
+    Ones, but for the cast of an illuminant that is not adapted to D65. Divided by it, a color is
+    what a surface reflects of each channel, whatever the light: what models of R take.
+    """
+    if illuminant == "D65" or adaptation == "bradford":
+        return np.ones(3)
+    return np.asarray(srgb_weights(illuminant, observer, adaptation).sum(axis=0))
+
+
 def _spectrum(values: ArrayLike) -> Array:
     array = np.asarray(values, dtype=np.float64)
     if array.ndim == 0 or array.shape[-1] != WAVELENGTH_NM.size:

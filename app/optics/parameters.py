@@ -167,6 +167,6 @@ THETA_I = Parameter(
     "theta_i", r"\theta_i", 0.0, 0.0, np.pi / 2, "rad", "Angle of incidence from the normal."
 )
 WAVELENGTH_NM = AboveMinimum(
-    "wavelength_nm", r"\lambda", None, 0.0, 1e7, "nm", "Wavelength in vacuum."
+    "wavelength_nm", r"\lambda", None, 0.0, 1e7, "nm", "Wavelength of the light."
 )
 MU = Parameter("mu", r"\mu", 1.0, 0.0, 1.0, "", "Cosine of the angle of incidence.")

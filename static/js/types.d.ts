@@ -41,7 +41,10 @@ interface Material {
   id: string;
   name: string;
   category: string;
+  /** relative to what its source measured it */
   n: number;
+  /** against vacuum, as n_i and n_t are */
+  n_absolute: number;
   k: number | null;
   wavelength_nm: number | null;
   kind: string;

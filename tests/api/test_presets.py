@@ -20,7 +20,7 @@ def test_a_material_stands_for_its_numbers(ask: Ask, path: str, id: str) -> None
     known = default_catalog().constants(id)
     named = ask(path, material=id).json()
     k_t = 0.0 if known.k is None or known.k < NEGLIGIBLE_K else known.k
-    told = ask(path, n_t=known.n, k_t=k_t).json()
+    told = ask(path, n_t=known.n_absolute, k_t=k_t).json()
     preset = named["interface"].pop("material")
     assert (preset["id"], preset["n"], preset["k"]) == (id, known.n, known.k)
     assert preset["wavelength_nm"] == known.wavelength_nm

@@ -168,7 +168,7 @@ class Query(dict[str, str]):
         if "material" in self:
             at = self.number("wavelength_nm", 0.0) or None
             constants = catalog().constants(catalog().get(self["material"]).id, at)
-            n, k = constants.n, constants.k or 0.0
+            n, k = constants.n_absolute, constants.k or 0.0
         return self.number("n_i", 1.0), complex(
             n if n_t is None else n_t, k if k_t is None else k_t
         )
@@ -322,7 +322,7 @@ def spectrum(material: str, query: Query) -> Any:
     )
     found = catalog().spectrum(catalog().get(material).id)
     k = found.k(nm) if found.k_range_nm else np.zeros_like(nm)
-    N = found.n(nm) + 1j * (0.0 if k is None else k)
+    N = found.n_absolute(nm) + 1j * (0.0 if k is None else k)
     return {"F0": (np.abs((N - 1) / (N + 1)) ** 2).tolist()}
 
 

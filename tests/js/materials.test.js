@@ -19,7 +19,7 @@ import { arrange, logTicks } from "../../static/js/plot/figure.js";
 import { LinkError } from "../../static/js/state/state.js";
 import { pick } from "./catalog.js";
 
-/** @param {string} id @param {object} [more] @returns {any} */
+/** @param {string} id @param {any} [more] @returns {any} */
 const preset = (id, more = {}) => ({
   id,
   name: id,
@@ -27,6 +27,7 @@ const preset = (id, more = {}) => ({
   kind: "spectrum",
   rival_of: null,
   n: 1.5,
+  n_absolute: more?.n ?? 1.5,
   n_min: null,
   n_max: null,
   k: 0,

@@ -11,7 +11,7 @@ import {
 } from "../../static/js/media/media.js";
 import { allowedWords, distance } from "../../static/js/state/state.js";
 
-/** @param {string} id @param {object} [more] @returns {any} */
+/** @param {string} id @param {any} [more] @returns {any} */
 const medium = (id, more = {}) => ({
   id,
   name: id,
@@ -19,6 +19,7 @@ const medium = (id, more = {}) => ({
   kind: "spectrum",
   rival_of: null,
   n: 1.5,
+  n_absolute: more?.n ?? 1.5,
   k: 0,
   wavelength_nm: 587.6,
   n_range_nm: [300, 2500],
@@ -114,10 +115,13 @@ test("indices at a wavelength are the server's; until it answers the last ones s
   assert.deepEqual(asked, ["/snell?n_i=1&material=BK7&wavelength_nm=400&theta_i_deg=0"]);
   assert.deepEqual(constants.implied(violet), { n_t: 1.5, k_t: 0 });
   how.onAnswer({
-    interface: { incident: null, material: { id: "BK7", wavelength_nm: 400, n: 1.53, k: 1e-8 } },
+    interface: {
+      incident: null,
+      material: { id: "BK7", wavelength_nm: 400, n: 1.53, n_absolute: 1.5304, k: 1e-8 },
+    },
   });
   assert.equal(changes, 1);
-  assert.deepEqual(constants.implied(violet), { n_t: 1.53, k_t: 0 });
+  assert.deepEqual(constants.implied(violet), { n_t: 1.5304, k_t: 0 });
   constants.follow(violet);
   assert.equal(asked.length, 1);
   // Beyond what is known nothing is asked: the control says so.

@@ -62,6 +62,8 @@ def spectrum_file(choice: Choice, database: Database) -> SpectrumFile:
         sample=entry.sample,
         confidence=entry.confidence,
         conditions=page.conditions,
+        relative_to=entry.relative_to,
+        wavelength_in=entry.wavelength_in,
         note=entry.note,
         warnings=page.warnings,
         provenance=Provenance(

@@ -27,7 +27,7 @@ def spectrum_preset(choice: Choice, file: SpectrumFile) -> Preset:
     """Summarize a spectrum at the reference wavelength and over the visible."""
     spectrum = Spectrum(file)
     k = spectrum.k(REFERENCE_NM)
-    n = float(spectrum.n(REFERENCE_NM))
+    n, n_absolute = float(spectrum.n(REFERENCE_NM)), float(spectrum.n_absolute(REFERENCE_NM))
     look = appearance(spectrum)
     abbe = spectrum.abbe_number if file.category in TRANSPARENT else None
     return Preset(
@@ -39,8 +39,11 @@ def spectrum_preset(choice: Choice, file: SpectrumFile) -> Preset:
         rival_of=choice.rival_of,
         axis=file.axis,
         n=_digits(n),
+        n_absolute=_digits(n_absolute),
         k=None if k is None else _digits(float(k)),
         wavelength_nm=REFERENCE_NM,
+        relative_to=file.relative_to,
+        wavelength_in=file.wavelength_in,
         n_range_nm=spectrum.n_range_nm,
         k_range_nm=spectrum.k_range_nm,
         sample=file.sample,
@@ -50,7 +53,7 @@ def spectrum_preset(choice: Choice, file: SpectrumFile) -> Preset:
         licence=file.provenance.licence,
         note=file.note,
         warnings=file.warnings,
-        F0=_digits(float(Interface(n_t=n, k_t=0.0 if k is None else k).F0)),
+        F0=_digits(float(Interface(n_t=n_absolute, k_t=0.0 if k is None else k).F0)),
         color=_color(look),
         abbe=None if abbe is None else round(abbe, 4),
     )
@@ -62,9 +65,10 @@ def row_presets(table: Table) -> Iterable[Preset]:
         boundary = Interface(n_t=row.n)
         F0 = float(boundary.F0)
         grey = np.ones(3)
-        look = Appearance(F0 * grey, F82(boundary) * grey, F0, ())
+        look = Appearance(F0 * grey, F82(boundary) * grey, F0, (), grey)
         yield Preset(
             **row.model_dump(),
+            n_absolute=row.n,
             kind="single",
             n_range_nm=None if row.wavelength_nm is None else (row.wavelength_nm,) * 2,
             k_range_nm=None,

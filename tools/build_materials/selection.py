@@ -8,7 +8,17 @@ from typing import Annotated
 import yaml
 from pydantic import Field, TypeAdapter
 
-from app.materials.schema import Axis, Category, Confidence, Id, Sample, Strict, Table, Text
+from app.materials.schema import (
+    Axis,
+    Category,
+    Confidence,
+    Id,
+    Reference,
+    Sample,
+    Strict,
+    Table,
+    Text,
+)
 
 PagePath = Annotated[str, Field(pattern=r"^[^/]+/[^/]+/[^/]+$")]
 
@@ -20,6 +30,8 @@ class Rival(Strict):
     axis: Axis = "isotropic"
     sample: Sample
     confidence: Confidence
+    relative_to: Reference | None = None
+    wavelength_in: Reference | None = None
     note: Text | None = None
 
 
@@ -34,6 +46,8 @@ class Material(Strict):
     axis: Axis = "isotropic"
     sample: Sample
     confidence: Confidence
+    relative_to: Reference | None = None
+    wavelength_in: Reference | None = None
     note: Text | None = None
     rivals: tuple[Rival, ...] = ()
 

@@ -10,7 +10,16 @@ from app.answers.axes import MOST_CELLS
 from app.materials.errors import WavelengthOutOfRange
 from app.materials.front import Front
 from app.materials.media import default_catalog
-from app.materials.schema import Axis, Category, Channels, Confidence, Preset, Sample
+from app.materials.schema import (
+    Axis,
+    Category,
+    Channels,
+    Confidence,
+    Preset,
+    RelativeTo,
+    Sample,
+    WavelengthIn,
+)
 from app.optics.errors import NotAllowed
 from app.optics.parameters import Array
 
@@ -26,6 +35,8 @@ class About:
     name: str
     category: Category
     axis: Axis
+    relative_to: RelativeTo
+    wavelength_in: WavelengthIn
     sample: Sample
     confidence: Confidence
     source: str

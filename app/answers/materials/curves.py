@@ -39,6 +39,7 @@ class WavelengthCurve:
     wavelength_nm: float
     n_i: float
     n: float
+    """Against vacuum, as n_i is."""
     k: float | None
     F0: float
     F82: float

@@ -1,5 +1,7 @@
 """All that is known of one material: constants, color, provenance and rivals."""
 
+from dataclasses import fields
+
 import numpy as np
 
 from app.answers.answer import answer
@@ -8,7 +10,16 @@ from app.answers.materials.listing import Material, Swatch, hex_of, in_gamut
 from app.materials.appearance import DAYLIGHT, Appearance, Viewing, appearance
 from app.materials.catalog import Spread
 from app.materials.media import default_catalog, resolve_material
-from app.materials.schema import Channels, Color, Confidence, Database, Preset, Provenance, Sample
+from app.materials.schema import (
+    Channels,
+    Color,
+    Confidence,
+    Database,
+    Preset,
+    Provenance,
+    RelativeTo,
+    Sample,
+)
 from app.optics.color import (
     WAVELENGTH_NM,
     Adaptation,
@@ -17,6 +28,7 @@ from app.optics.color import (
     Observer,
     linear_srgb,
     luminance,
+    rendered_white,
 )
 from app.optics.interface import Interface
 from app.optics.parameters import Array
@@ -43,6 +55,9 @@ class Constants:
 
     wavelength_nm: float | None
     n: float
+    """Relative to what the source measured it."""
+    n_absolute: float
+    """The same against vacuum."""
     k: float | None
     F0: float
     F82: float
@@ -70,8 +85,10 @@ class Rival:
     id: str
     name: str
     n: float
+    n_absolute: float
     k: float | None
     wavelength_nm: float | None
+    relative_to: RelativeTo
     sample: Sample
     confidence: Confidence
     source: str
@@ -80,7 +97,7 @@ class Rival:
     luminance: float
 
 
-_TOLD = ("id", "name", "n", "k", "wavelength_nm", "sample", "confidence", "source")
+_TOLD = tuple(field.name for field in fields(Rival) if field.name not in {"F0", "luminance"})
 
 
 @answer
@@ -161,22 +178,24 @@ def _appearance(preset: Preset, viewing: Viewing) -> Appearance:
     """Colors of a preset; a single index reflects all wavelengths alike."""
     if preset.kind == "spectrum":
         return appearance(default_catalog().spectrum(preset.id), 1.0, viewing)
-    boundary = Interface(1.0, preset.n, preset.k or 0.0)
+    boundary = Interface(1.0, preset.n_absolute, preset.k or 0.0)
     F0, at_82 = (np.full(WAVELENGTH_NM.size, float(R)) for R in (boundary.F0, F82(boundary)))
     return Appearance(
         F0=linear_srgb(F0, *viewing),
         F82=linear_srgb(at_82, *viewing),
         luminance=float(luminance(F0, *viewing[:2])),
         warnings=(),
+        white=rendered_white(*viewing),
     )
 
 
 def _constants(preset: Preset, wavelength_nm: float | None) -> Constants:
     at = resolve_material(preset.id, wavelength_nm).constants
-    boundary = Interface(1.0, at.n, at.k or 0.0)
+    boundary = Interface(1.0, at.n_absolute, at.k or 0.0)
     return Constants(
         wavelength_nm=at.wavelength_nm,
         n=at.n,
+        n_absolute=at.n_absolute,
         k=at.k,
         F0=float(boundary.F0),
         F82=float(F82(boundary)),

@@ -31,6 +31,7 @@ class MaterialMap:
     wavelength_nm: Values
     n_i: Values
     n: Values
+    """Against vacuum, as n_i is."""
     k: Values
     values: Rows
     """A row for each wavelength."""

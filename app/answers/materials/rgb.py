@@ -73,7 +73,7 @@ class RgbCurve:
     """`spectral` is the truth; others are ids of /models."""
     title: str
     inputs: dict[str, Rgb]
-    """The colors the model was given."""
+    """What the model was given, of the light's white; of `spectral` the colors as they are seen."""
     R_red: Gaps
     R_green: Gaps
     R_blue: Gaps
@@ -87,6 +87,9 @@ class RgbCurves(Seen):
 
     gamut: Gamut
     """Applied to the colors that the models are given; no curve is clamped."""
+    white: Rgb
+    """The perfect reflector in this light, linear sRGB: 1 unless the light keeps its cast. Models
+    take what is reflected of it, and their R times it is their curve."""
     curves: list[RgbCurve]
 
 
@@ -117,9 +120,10 @@ def rgb_curves(
     at_nodes = Incidence.from_cosine(nodes.mu)
     truth_at_nodes = color_curve(spectrum, at_nodes, n_i, viewing).T
     color = appearance(spectrum, n_i, viewing)
-    shown = color.within(gamut)
+    shown = color.of_white().within(gamut)
     colors = {"F0": shown.F0, "F82": shown.F82, "tint": shown.F82_tint}
     averaged = averaged_interface(spectrum, n_i, viewing)
+    white = color.white[:, np.newaxis]
     curves = [
         RgbCurve(
             model="spectral",
@@ -141,13 +145,13 @@ def rgb_curves(
             constants = {"n_i": averaged.n_i, "n": averaged.n_t, "k": averaged.k_t}
             given = {name: value.ravel() for name, value in constants.items()}
         # Not `model(...)`, which refuses the unclamped F0 above 1 that gold has in red.
-        error = model.evaluate(averaged, at_nodes, arguments) - truth_at_nodes
+        error = white * model.evaluate(averaged, at_nodes, arguments) - truth_at_nodes
 
         def error_at(mu: Array, channel: int, model: Model = model, own: _Own = arguments) -> Array:
             at = Incidence.from_cosine(mu.ravel())
             truth = color_curve(spectrum, at, n_i, viewing)[:, channel]
-            error = np.asarray(model.evaluate(averaged, at, own)[channel] - truth)
-            return error.reshape(mu.shape)
+            error = (white * model.evaluate(averaged, at, own))[channel] - truth
+            return np.asarray(error.reshape(mu.shape))
 
         red, green, blue = (
             ChannelError.of(partial(error_at, channel=channel), row, nodes)
@@ -158,11 +162,11 @@ def rgb_curves(
                 model=model.id,
                 title=title,
                 inputs=given,
-                **_channels(model.evaluate(averaged, incidence, arguments)),
+                **_channels(white * model.evaluate(averaged, incidence, arguments)),
                 errors=ChannelErrors(red=red, green=green, blue=blue),
             )
         )
-    return RgbCurves(**viewing._asdict(), gamut=gamut, curves=curves)
+    return RgbCurves(**viewing._asdict(), gamut=gamut, white=color.white, curves=curves)
 
 
 @cache

@@ -44,6 +44,9 @@ class MaterialSpectrum:
     `step`: every step_nm."""
     wavelength_nm: Values
     n: Gaps
+    """Relative to what the source measured it: see `relative_to` of the material."""
+    n_absolute: Gaps | None
+    """Against vacuum, where n is relative to air; null elsewhere, as it is n."""
     k: Gaps | None
     F0: Gaps
     """At normal incidence from vacuum."""
@@ -52,9 +55,11 @@ class MaterialSpectrum:
     warnings: list[str]
 
     def table(self) -> Table:
-        """Lay out n, k and F0, of which what is not known is empty."""
+        """Lay out n, k and F0, of which what is not known is empty; n_absolute where it differs."""
         k = np.full(self.n.shape, np.nan) if self.k is None else self.k
-        columns = {"wavelength_nm": self.wavelength_nm, "n": self.n, "k": k, "F0": self.F0}
+        absolute = {} if self.n_absolute is None else {"n_absolute": self.n_absolute}
+        columns = {"wavelength_nm": self.wavelength_nm, "n": self.n, **absolute, "k": k}
+        columns["F0"] = self.F0
         return Table(columns, f"{self.material.id}_spectrum.csv")
 
 
@@ -100,7 +105,8 @@ def spectrum(
             k=None if k_file is None else _native(k_file, low, high),
         )
     n, k = data.n_or_nan(wavelength_nm), data.k_or_nan(wavelength_nm)
-    F0, said = normal_reflectance(n, k)
+    n_absolute = data.n_absolute_or_nan(wavelength_nm)
+    F0, said = normal_reflectance(n_absolute, k)
     return MaterialSpectrum(
         material=About.of(preset),
         n_range_nm=data.n_range_nm,
@@ -108,6 +114,7 @@ def spectrum(
         sampling="native" if step_nm is None else "step",
         wavelength_nm=wavelength_nm,
         n=n,
+        n_absolute=n_absolute if data.file.relative_to == "air" else None,
         k=k,
         F0=F0,
         native=native,

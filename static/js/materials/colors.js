@@ -94,7 +94,7 @@ export function createColors(context) {
       const spectral = preset?.kind === "spectrum";
       const colors =
         spectral && answers.colors?.material.id === state.preset ? answers.colors : null;
-      const index = answers.index?.interface.n_t === preset?.n ? answers.index : null;
+      const index = answers.index?.interface.n_t === preset?.n_absolute ? answers.index : null;
       if (!preset || !index || (spectral && !colors)) return;
       if (changed(index, colors, state.angle)) draw(state, preset, index, colors);
       plots.forEach((plot, i) => {
@@ -145,7 +145,9 @@ export function createColors(context) {
     traces = [[...truth, single], colors ? [...truth, ...three] : []];
     const n = `n = ${plain(preset.n, 6)}`;
     const at = preset.wavelength_nm ? ` at ${plain(preset.wavelength_nm)} nm` : "";
-    headings[0]?.replaceChildren(`One float: ${n}${at}`);
+    const absolute = ` in air, ${plain(preset.n_absolute, 6)} in vacuum,`;
+    const medium = preset.n_absolute === preset.n ? "" : absolute;
+    headings[0]?.replaceChildren(`One float: ${n}${medium}${at}`);
     halves[1]?.toggleAttribute("hidden", !colors);
     const names = [
       `Schlick from ${n} against ${colors ? "the spectrum's R, G and B" : "exact"}: ${preset.name}`,

@@ -52,7 +52,7 @@ export const COLUMNS = [
   {
     name: "n",
     heading: "n",
-    note: "at the reference wavelength; where the source gives a range, its middle",
+    note: "as the source has it, at the reference wavelength: glasses relative to air, of which the sheet tells; of a range the middle",
     value: (m) => m.n,
     print: (m) =>
       m.n_min !== null && m.n_max !== null

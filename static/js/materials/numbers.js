@@ -13,6 +13,7 @@ import { swatch } from "./table.js";
 
 const CONSTANTS = /** @type {const} */ ([
   ["n", "n"],
+  ["n_absolute", "n"],
   ["k", "k"],
   ["F0", "F_0"],
   ["F82", "F_{82}"],
@@ -91,6 +92,9 @@ export function createNumbers({ actions, say }) {
   function draw(detail) {
     const { constants: known = {}, display = {}, kind = "spectrum" } = detail ?? {};
     const nm = known.wavelength_nm;
+    /** Where n was measured in air, both numbers are told apart. @type {Record<string, string>} */
+    const media = detail?.relative_to === "air" ? { n: " in air", n_absolute: " in vacuum" } : {};
+    const shown = constants.filter(({ name }) => name !== "n_absolute" || name in media);
     const alone = nm ? `${plain(nm)} nm alone` : "no wavelength stated";
     render(
       html`<section class="constants" aria-label="Constants at one wavelength">
@@ -100,7 +104,7 @@ export function createNumbers({ actions, say }) {
           </div>
           ${at.wrong}
           <dl class="numbers">
-            ${constants.map(({ name, sign }) => html`<div><dt>${sign}</dt><dd>${number(name, known[name], written(known[name]))}</dd></div>`)}
+            ${shown.map(({ name, sign }) => html`<div><dt>${sign}<span class="of">${media[name]}</span></dt><dd>${number(name, known[name], written(known[name]))}</dd></div>`)}
           </dl>
         </section>
         <section class="color-numbers" aria-label="Color">

@@ -97,7 +97,7 @@ export function queries(now, catalog, moving = false) {
   /** @type {Record<string, string>} */
   const wanted = { list: listPath(state), detail: detailPath(state) };
   if (moving || !preset) return wanted;
-  wanted.index = `/curves?n_t=${preset.n}&models=${INDEX_MODELS}`;
+  wanted.index = `/curves?n_t=${preset.n_absolute}&models=${INDEX_MODELS}`;
   if (preset.kind !== "spectrum") return wanted;
   wanted.spectrum = `/materials/${preset.id}/spectrum`;
   wanted.angles = anglesPath(state);

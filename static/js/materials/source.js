@@ -39,6 +39,15 @@ const link = (text, href) =>
 const data = ({ database, tag, file, sha256 }) => html`${database} ${tag}, ${file},
   <span class="sum" title=${sha256}>sha256 ${sha256.slice(0, 12)}…</span>`;
 
+/** @type {Record<string, string>} */
+const MEDIA = { air: "air: what is computed takes n times air’s index", vacuum: "vacuum" };
+
+/** What n is relative to, and where wavelengths are counted. @param {any} detail */
+export function reference({ relative_to, wavelength_in }) {
+  const index = MEDIA[relative_to] ?? "not stated: n counts as absolute";
+  return `${index}; wavelengths ${wavelength_in ? `in ${wavelength_in}` : "not said to be in air or vacuum"}`;
+}
+
 /** @param {(text: string) => void} say */
 export function createSource(say) {
   const element = h("section.column.sheet.origin", { "aria-label": "Source" });
@@ -62,6 +71,7 @@ export function createSource(say) {
             ${links.map((url) => link(url, url))}
             ${entry("Sample", `${sample}; confidence ${confidence}`)}
             ${entry("Conditions", conditions.join(", "))}
+            ${entry("Measured against", reference(detail))}
             ${entry("Note", detail.note)} ${entry("Comment", provenance?.comments)}
             ${entry("Known", n && `n ${stretch(n)}; k ${k ? stretch(k) : "not given"}`)}
             ${entry("Licence", detail.licence)} ${entry("Data", provenance && data(provenance))}

@@ -96,7 +96,7 @@ export function createConstants({ materials, onChange, onProblem, query }) {
   /** @param {string | null} id */
   const preset = (id) => materials.find((m) => m.id === id);
 
-  /** @param {string | null} id @param {number | null} nm @returns {{n: number, k: number | null} | undefined} */
+  /** @param {string | null} id @param {number | null} nm @returns {{n_absolute: number, k: number | null} | undefined} */
   function at(id, nm) {
     const found = preset(id);
     if (!found || nm === null || !isDispersive(found)) return found;
@@ -113,7 +113,10 @@ export function createConstants({ materials, onChange, onProblem, query }) {
     implied({ incident, material, wavelength_nm }) {
       const from = at(incident, wavelength_nm);
       const into = at(material, wavelength_nm);
-      return { ...(from && { n_i: from.n }), ...(into && { n_t: into.n, k_t: visible(into.k) }) };
+      return {
+        ...(from && { n_i: from.n_absolute }),
+        ...(into && { n_t: into.n_absolute, k_t: visible(into.k) }),
+      };
     },
     /** Ask for what is not known yet; where nothing can be known the control says so. @param {State} state */
     follow(state) {
@@ -350,7 +353,7 @@ export function nameable(materials, id, n, k) {
   if (!known) {
     // from the end, so that the first of several with the same indices stays
     known = new Map(
-      materials.map((m) => /** @type {const} */ ([indexKey(m.n, m.k), m.id])).reverse(),
+      materials.map((m) => /** @type {const} */ ([indexKey(m.n_absolute, m.k), m.id])).reverse(),
     );
     named.set(materials, known);
   }

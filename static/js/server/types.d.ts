@@ -90,6 +90,6 @@ interface AskingOptions {
 interface Resolved {
   id: string;
   wavelength_nm: number | null;
-  n: number;
+  n_absolute: number;
   k: number | null;
 }

@@ -129,8 +129,9 @@ export function createLessons({ lessons, key, title, intro, context }) {
     const found = catalog.materials.find((m) => m.id === id);
     if (!found) return nothing;
     const colors = shown.picture === "colors";
-    const on = colors ? setting.of === id : setting.n_t === found.n;
-    const take = () => actions.set(colors ? { own_of: id } : { own_n: found.n, own_k: null });
+    const on = colors ? setting.of === id : setting.n_t === found.n_absolute;
+    const take = () =>
+      actions.set(colors ? { own_of: id } : { own_n: found.n_absolute, own_k: null });
     return html`<button type="button" class="medium" aria-pressed=${on}
       @click=${take}>${found.name.replace(/\s*\(.*\)$/, "")}</button>`;
   }

@@ -319,6 +319,6 @@ export function restCalls(state, catalog) {
 function mediumName({ materials }, id, n, k, set) {
   const found = materials.find((m) => m.id === nameable(materials, id, n, k));
   // While the second medium moves, the named one is already left but its curves are still shown.
-  const shown = found && n === (id === null ? found.n : set);
+  const shown = found && n === (id === null ? found.n_absolute : set);
   return shown ? found.name.replace(/\s*\(.*\)$/, "") : null;
 }
