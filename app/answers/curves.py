@@ -10,10 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from app.answers.answer import Gaps, Table, Values, answer, number_or_none
-from app.answers.interface import CONVENTION, InterfaceFacts
+from app.answers.films import Coated, LayerFacts, convention_text, exact_alone, response
+from app.answers.interface import InterfaceFacts
 from app.optics.amplitudes import amplitudes, phase_deg, power
 from app.optics.angles import LANDMARKS
+from app.optics.ellipsometry import CORE, Convention, delta_deg, psi_deg
 from app.optics.errors import NotAllowed
+from app.optics.films import NO_AMPLITUDES
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.parameters import Array
@@ -86,6 +89,15 @@ class Curves:
         return Table({"theta_i_deg": self.theta_i_deg} | curves)
 
 
+@answer
+class CoatedCurves(Curves):
+    """Curves of a surface with layers on it; `interface` is that without them."""
+
+    wavelength_nm: float
+    layers: list[LayerFacts]
+    """From the incident side on."""
+
+
 def curves(
     interface: Interface,
     models: Sequence[Chosen],
@@ -94,6 +106,9 @@ def curves(
     landmarks: bool = False,
     phase: bool = False,
     refraction: bool = False,
+    ellipsometry: bool = False,
+    coated: Coated | None = None,
+    convention: Convention = CORE,
 ) -> Curves:
     """Evaluate models over the angle of incidence.
 
@@ -107,15 +122,31 @@ def curves(
         The angles, as `sampled_incidence` takes them.
     phase, refraction
         Whether to add the phases of `exact`, and the angle and depths of its refracted wave.
+    ellipsometry
+        Whether to add psi and delta of `exact`.
+    coated
+        The boundary with layers on it, which `exact` alone knows.
+    convention
+        Which signs phases and delta have.
+
+    Raises
+    ------
+    NotAllowed
+        If another model than `exact` is asked for layers, or phases of an incoherent one.
     """
+    if coated is not None:
+        exact_alone([chosen.model.id for chosen in models])
     incidence = sampled_incidence(interface, samples, landmarks)
+    of_waves = (["phase"] if phase else []) + (["ellipsometry"] if ellipsometry else [])
     found: list[Curve] = []
     for chosen in models:
         model = chosen.model
         reason = model.reason_outside(interface)
         arguments = chosen.arguments(interface)
         if model.id == "exact":
-            quantities = list(_exact(interface, incidence, phase, refraction))
+            quantities = list(_exact(interface, incidence, coated, of_waves, convention))
+            if refraction:
+                quantities += _refracted(interface, incidence)
         else:
             values = np.atleast_2d(model.evaluate(interface, incidence, arguments))
             names = COLORS if len(values) > 1 else ("R",)
@@ -131,11 +162,17 @@ def curves(
             )
             for channel, (quantity, values) in enumerate(quantities)
         ]
-    return Curves(
-        interface=InterfaceFacts.of(interface),
-        convention=CONVENTION,
-        theta_i_deg=incidence.theta_i_deg,
+    facts, theta_i_deg = InterfaceFacts.of(interface), incidence.theta_i_deg
+    told = convention_text(convention, layers=coated is not None)
+    if coated is None:
+        return Curves(interface=facts, convention=told, theta_i_deg=theta_i_deg, curves=found)
+    return CoatedCurves(
+        interface=facts,
+        convention=told,
+        theta_i_deg=theta_i_deg,
         curves=found,
+        wavelength_nm=coated.wavelength_nm,
+        layers=coated.layers,
     )
 
 
@@ -160,18 +197,37 @@ def of_channel(values: Array, channel: int) -> float | None:
 
 
 def _exact(
-    interface: Interface, incidence: Incidence, phase: bool, refraction: bool
+    interface: Interface,
+    incidence: Incidence,
+    coated: Coated | None,
+    of_waves: Sequence[str],
+    convention: Convention,
 ) -> Iterator[tuple[str, Array]]:
     """Yield the quantities that only the exact solution has, R first."""
-    energy = power(interface, incidence)
+    if coated is None:
+        energy = power(interface, incidence)
+        amplitude = amplitudes(interface, incidence) if of_waves else None
+    else:
+        if of_waves and not coated.stack.is_coherent:
+            raise NotAllowed(of_waves[0], True, f"false where a layer is not {NO_AMPLITUDES}")
+        energy, amplitude, lost = response(coated.stack, incidence)
     yield "R", energy.R
     yield "Rs", energy.Rs
     yield "Rp", energy.Rp
     yield "T", energy.T
-    if phase:
-        amplitude = amplitudes(interface, incidence)
+    if coated is not None:
+        yield "A", lost.A
+    if amplitude is None:
+        return
+    amplitude = convention.of(amplitude)
+    if "phase" in of_waves:
         yield "phase_s_deg", phase_deg(amplitude.r_s)
         yield "phase_p_deg", phase_deg(amplitude.r_p)
-    if refraction:
-        for name in _REFRACTION:
-            yield name, QUANTITIES[name](interface, incidence)
+    if "ellipsometry" in of_waves:
+        yield "psi_deg", psi_deg(amplitude)
+        yield "delta_deg", delta_deg(amplitude)
+
+
+def _refracted(interface: Interface, incidence: Incidence) -> list[tuple[str, Array]]:
+    """Angle and depths of the wave in the second medium."""
+    return [(name, QUANTITIES[name](interface, incidence)) for name in _REFRACTION]

@@ -5,10 +5,10 @@ from typing import Annotated
 from fastapi import APIRouter, Query
 from pydantic import Field
 
-from app.answers.curves import Curves
+from app.answers.curves import CoatedCurves, Curves
 from app.answers.curves import curves as evaluated
 from app.api.model_parameters import ModelsQuery, with_parameters_of
-from app.api.params import InterfaceQuery, SamplesQuery
+from app.api.params import ConventionQuery, LayersQuery, SamplesQuery
 from app.http.query import TableQuery
 from app.http.route import QueryRoute
 from app.optics.registry import Registry
@@ -18,7 +18,7 @@ from app.optics.registry import Registry
 _INLINE_VALUES = 20_000
 
 
-class CurvesQuery(ModelsQuery, TableQuery, SamplesQuery, InterfaceQuery):
+class CurvesQuery(ModelsQuery, TableQuery, SamplesQuery, ConventionQuery, LayersQuery):
     """Curves over the angle of incidence."""
 
     phase: bool = Field(False, description="Add phase_s_deg and phase_p_deg of `exact`.")
@@ -27,11 +27,13 @@ class CurvesQuery(ModelsQuery, TableQuery, SamplesQuery, InterfaceQuery):
         description="Add of `exact` theta_t_deg, penetration_depth_wavelengths, at which the power "
         "has fallen to 1/e, and field_penetration_depth_wavelengths, the field's, twice as deep.",
     )
+    ellipsometry: bool = Field(False, description="Add psi_deg and delta_deg of `exact`.")
 
     @property
     def takes_long(self) -> bool:
         """Whether there are many values."""
-        return self.samples * (self.models.count(",") + 1) > _INLINE_VALUES
+        layers = 1 + (self.layers or "").count(",")
+        return self.samples * (self.models.count(",") + layers) > _INLINE_VALUES
 
 
 def router(registry: Registry) -> APIRouter:
@@ -40,7 +42,7 @@ def router(registry: Registry) -> APIRouter:
 
     @routes.get("/curves", summary="Reflectance over the angle")
     @with_parameters_of(registry)
-    def curves(query: Annotated[CurvesQuery, Query()]) -> Curves:
+    def curves(query: Annotated[CurvesQuery, Query()]) -> Curves | CoatedCurves:
         return evaluated(
             query.interface(),
             query.chosen(),
@@ -48,6 +50,9 @@ def router(registry: Registry) -> APIRouter:
             landmarks=query.landmarks,
             phase=query.phase,
             refraction=query.refraction,
+            ellipsometry=query.ellipsometry,
+            coated=query.coated(),
+            convention=query.signs(),
         )
 
     return routes

@@ -2,13 +2,15 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any, Self
+from typing import Annotated, Any, Self
 
-from pydantic import Field, PrivateAttr, model_validator
+from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
+from app.answers.films import Coated
 from app.answers.interface import PresetInterface
 from app.http.problems import BadParameters, ParameterError, parameter_error
 from app.http.query import Count, Number, QueryModel
+from app.materials.films import SPELLING
 from app.materials.media import (
     USELESS_WAVELENGTH,
     Resolved,
@@ -16,6 +18,7 @@ from app.materials.media import (
     resolve_incident,
     resolve_material,
 )
+from app.optics.ellipsometry import Convention, Normal, TimeFactor
 from app.optics.errors import OpticsError
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, WAVELENGTH_NM, Parameter
 
@@ -83,13 +86,18 @@ class InterfaceQuery(QueryModel):
     _incident: Resolved | None = PrivateAttr(None)
     _material: Resolved | None = PrivateAttr(None)
 
+    @property
+    def _has_layers(self) -> bool:
+        """Whether a wavelength is of use without any preset."""
+        return False
+
     @model_validator(mode="after")
     def _resolve(self) -> Self:
         if self.material is None and self.incident is None and self.wavelength_nm is None:
             return self
         refuse_beside(self, "material", "n_t", "k_t")
         refuse_beside(self, "incident", "n_i")
-        if self.material is None and self.incident is None:
+        if self.material is None and self.incident is None and not self._has_layers:
             raise BadParameters(
                 {
                     "parameter": "wavelength_nm",
@@ -112,6 +120,67 @@ class InterfaceQuery(QueryModel):
     def interface(self) -> PresetInterface:
         """Build the interface the query describes; it knows its presets."""
         return PresetInterface(self.n_i, self.n_t, self.k_t, self._incident, self._material)
+
+
+def layers(description: str = "") -> Any:
+    """Pydantic field of layers."""
+    return Field(
+        None,
+        min_length=1,
+        max_length=20_000,
+        description=f"Films between the media: {SPELLING}. An incoherent layer is so thick that the "
+        "waves reflected at its two faces add as powers; its k is at most 0.01 n. " + description,
+        examples=["MgF2:99.6", "SiO2:25,0.055+3.32i:30", "BK7:3000000:incoherent"],
+    )
+
+
+class LayersQuery(InterfaceQuery):
+    """The two media, and films between them."""
+
+    layers: str | None = layers(
+        "Materials and phases are those at wavelength_nm, 587.6 unless given. "
+        "`exact` is the only model of them."
+    )
+
+    @property
+    def _has_layers(self) -> bool:
+        return self.layers is not None
+
+    def coated(self) -> Coated | None:
+        """Put the layers on the interface; None where there are none.
+
+        Raises
+        ------
+        OpticsError
+            If they cannot be read, or are not known at the wavelength.
+        """
+        if self.layers is None:
+            return None
+        return Coated.of(self.interface(), self.layers, self.wavelength_nm)
+
+
+def _with_plus(text: object) -> object:
+    """Read the blank as which a + arrives that an address spells as it is."""
+    return text.replace("exp( ", "exp(+") if isinstance(text, str) else text
+
+
+class ConventionQuery(QueryModel):
+    """Which signs amplitudes, phases and delta have."""
+
+    convention: Annotated[TimeFactor, BeforeValidator(_with_plus)] = Field(
+        "exp(-iwt)",
+        description="The time factor of all waves. With exp(+iwt) an absorbing index is n - ik, and "
+        "all phases and delta change sign, as ellipsometers print them.",
+    )
+    r_p_at_normal: Normal = Field(
+        "-r_s",
+        description="What r_p is at normal incidence: with r_s it has the other sign at every angle, "
+        "and delta differs by 180 degrees.",
+    )
+
+    def signs(self) -> Convention:
+        """The convention."""
+        return Convention(self.convention, self.r_p_at_normal)
 
 
 @contextmanager

@@ -4,14 +4,14 @@ from typing import Annotated
 
 from fastapi import APIRouter, Query
 
-from app.answers.snell import Ray, ray
-from app.api.params import AngleQuery, InterfaceQuery
+from app.answers.snell import CoatedRay, Ray, ray
+from app.api.params import AngleQuery, ConventionQuery, LayersQuery
 from app.http.query import DigitsQuery
 from app.http.route import QueryRoute
 from app.optics.incidence import Incidence
 
 
-class SnellQuery(DigitsQuery, AngleQuery, InterfaceQuery):
+class SnellQuery(DigitsQuery, ConventionQuery, AngleQuery, LayersQuery):
     """One ray."""
 
 
@@ -20,7 +20,8 @@ def router() -> APIRouter:
     routes = APIRouter(route_class=QueryRoute, tags=["optics"])
 
     @routes.get("/snell", summary="One ray at the surface")
-    def snell(query: Annotated[SnellQuery, Query()]) -> Ray:
-        return ray(query.interface(), Incidence.from_degrees(query.theta_i_deg))
+    def snell(query: Annotated[SnellQuery, Query()]) -> Ray | CoatedRay:
+        incidence = Incidence.from_degrees(query.theta_i_deg)
+        return ray(query.interface(), incidence, query.coated(), query.signs())
 
     return routes

@@ -89,6 +89,21 @@ def resolve_material(name: str, wavelength_nm: float | None) -> Resolved:
     return Resolved(preset, constants, tuple(warnings))
 
 
+def resolve_layer(name: str, wavelength_nm: float | None) -> Resolved:
+    """Evaluate a preset as a layer, of which a k however small counts.
+
+    Raises
+    ------
+    UnknownMaterial
+        If nothing has this id, alias or name.
+    WavelengthOutOfRange, NotAllowed
+        If the preset is not known at the wavelength, or is known to be beyond n_t's or k_t's bounds.
+    """
+    preset, constants = _constants(name, wavelength_nm)
+    warnings = _of_the_middle(preset) + ([UNKNOWN_K] if constants.k is None else [])
+    return Resolved(preset, constants, tuple(warnings))
+
+
 def resolve_incident(name: str, wavelength_nm: float | None) -> Resolved:
     """Evaluate a preset as the medium in front, whose index is real.
 

@@ -246,17 +246,28 @@ def _amplitudes(sheets: Sheets, incidence: Incidence) -> tuple[Complex, ...]:
     found: list[Complex] = []
     for passage in passages(group, incidence, fields=True):
         back = scaled(conjugate(passage.S), 1.0 / maximum(passage.S2, NOTHING))
-        r = times(passage.D, back)
+        r = _at_grazing(_complex(times(passage.D, back)), passage, incidence)
         entry = scaled(times(passage.y, passage.start), 2.0 * passage.shrunk)
         t = _complex(times(entry, back))
         # A grazing ray that meets no boundary goes on.
-        found += [_complex(r), np.where(passage.S2 == 0.0, 1.0, t)]
+        found += [r, np.where(passage.S2 == 0.0, 1.0, t)]
     r_s, t_s, r_p, t_p = found
     # Along the normal both are the same wave, to the last bit of a phase of 180 degrees.
     r_p = np.where(incidence.sin == 0.0, -r_s, r_p)
     eta, kappa, _ = sheets.substrate.relative
     N_t = np.asarray(eta) + 1j * np.asarray(kappa)
     return r_s, r_p, t_s, t_p * (1.0 + 1j * sheets.kappa_i) / N_t
+
+
+def _at_grazing(r: Complex, passage: Passage, incidence: Incidence) -> Complex:
+    """Set -1 at 90 degrees; the sign of its imaginary zero is that of the limit, -1 - 2 y_0 E / D."""
+    grazing = (incidence.cos == 0.0) & (np.asarray(passage.D2) > 0.0)
+    if not grazing.any():
+        return r
+    kept = np.where(grazing, -1.0 + 0.0j, r)
+    below = times(passage.E, conjugate(passage.D))[1] > 0.0
+    kept.imag = np.where(grazing & below, -0.0, kept.imag)
+    return np.asarray(kept)
 
 
 def _complex(pair: Pair) -> Complex:

@@ -102,8 +102,10 @@ class Passage(NamedTuple):
 
     D: Pair
     """Amplitude of the reflected wave times 2 y_0."""
+    E: Pair
+    """The field at the front, and"""
     S: Pair
-    """That of the incident wave, left out where `summed`."""
+    """2 y_0 E - D, the amplitude of the incident wave times 2 y_0; left out where `summed`."""
     D2: Number
     S2: Number
     """Their squares."""
@@ -323,7 +325,9 @@ class _Track:
             S2 = square_of(S)
         shrunk = self.shrunk, self.shrunk2
         squares = D2, S2, quiet
-        return Passage(self.D, S, *squares, self.start, *shrunk, flux, passed, self.y, tuple(lost))
+        return Passage(
+            self.D, self.E, S, *squares, self.start, *shrunk, flux, passed, self.y, tuple(lost)
+        )
 
 
 def _contrast(front: Medium, other: Medium) -> Pair:

@@ -10,14 +10,14 @@ from fastapi import FastAPI
 from app import __version__
 from app.answers.albedo import Albedos, Coat, RegisteredFit, RegisteredFits
 from app.answers.albedo_grids import AlbedoMap, AlbedoSweep
-from app.answers.curves import Curves
+from app.answers.curves import CoatedCurves, Curves
 from app.answers.error_grids import ErrorMap, ErrorSweep
 from app.answers.errors import Errors
 from app.answers.interface import InterfaceFacts
 from app.answers.lookup import LookupErrors, LookupTable
 from app.answers.models import RegisteredModel
 from app.answers.recommendation import Recommendation
-from app.answers.snell import Amplitude, Ray
+from app.answers.snell import Amplitude, CoatedRay, Ray
 from app.api.health import Health
 from app.api.models import Models, Parameters
 from app.http.problems import MEDIA_TYPE
@@ -47,6 +47,7 @@ OUTPUTS = {
     "/lut/errors": LookupErrors,
     "/recommend": Recommendation,
 }
+WITH_LAYERS = {"/snell": CoatedRay, "/curves": CoatedCurves}
 OWN = [(model, p) for model in default_registry().values() for p in model.parameters]
 
 
@@ -81,7 +82,9 @@ def test_routes_are_described(schema: dict[str, Any], path: str) -> None:
     assert route["summary"]
     assert route["tags"]
     body = route["responses"]["200"]["content"]["application/json"]["schema"]
-    assert body == {"$ref": f"#/components/schemas/{OUTPUTS[path].__name__}"}
+    kinds = [OUTPUTS[path], *([WITH_LAYERS[path]] if path in WITH_LAYERS else [])]
+    told = [{"$ref": f"#/components/schemas/{kind.__name__}"} for kind in kinds]
+    assert body.get("anyOf", [body]) == told
     assert MEDIA_TYPE in route["responses"]["4XX"]["content"]
     assert "422" not in route["responses"], "FastAPI's own error shape is never sent"
 
@@ -192,7 +195,9 @@ def test_parameters_of_models(schema: dict[str, Any], model: Any, own: Parameter
         assert any("," in example for example in shown["schema"]["examples"])
 
 
-@pytest.mark.parametrize("output", [*OUTPUTS.values(), InterfaceFacts, Amplitude])
+@pytest.mark.parametrize(
+    "output", [*OUTPUTS.values(), *WITH_LAYERS.values(), InterfaceFacts, Amplitude]
+)
 def test_shapes_of_answers_are_in_the_schema(schema: dict[str, Any], output: type) -> None:
     shape = schema["components"]["schemas"][output.__name__]
     assert set(shape["properties"]) == {field.name for field in fields(output)}

@@ -13,6 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.optics.amplitudes import amplitudes as boundary_amplitudes
+from app.optics.amplitudes import phase_deg
 from app.optics.amplitudes import power as boundary_power
 from app.optics.errors import NotAllowed, OutOfRange
 from app.optics.films import absorption, amplitudes, power
@@ -285,7 +286,14 @@ def test_grazing_light_is_reflected_but_where_nothing_is_in_the_way() -> None:
     grazing = Incidence.from_degrees(90.0)
     soap = Stack(1.0, [Layer(1.33, 0.0, 380.0)], 1.0)
     assert (float(power(soap, grazing).R), float(power(soap, grazing).T)) == (1.0, 0.0)
-    assert complex(amplitudes(soap, grazing).r_s) == pytest.approx(-1.0, abs=IDENTITY)
+    assert complex(amplitudes(soap, grazing).r_s) == -1.0
+    silver = Stack(1.0, [Layer(0.055, 3.32, 30.0)], 1.5)
+    for name in ("r_s", "r_p"):
+        phases = [
+            float(phase_deg(getattr(amplitudes(silver, Incidence.from_degrees(angle)), name)))
+            for angle in (89.9999, 90.0)
+        ]
+        assert phases[0] == pytest.approx(phases[1], abs=0.01), name
     for layer in (Layer(1.0, 0.0, 500.0), Layer(1.0, 0.0, 0.0)):
         nothing = Stack(1.0, [layer], 1.0)
         energy = power(nothing, Incidence.from_degrees([0.0, 60.0, 90.0]))

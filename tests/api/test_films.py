@@ -1,0 +1,146 @@
+"""Films in the API: `layers`, psi and delta, and the convention that every answer states."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from fastapi import FastAPI
+
+from app.answers.films import convention_text
+from app.answers.interface import CONVENTION
+from app.materials.films import read_layers
+from tests.api.raw import send
+from tests.api.shape import Ask, error_of, json_of
+
+GOLDEN: list[dict[str, Any]] = json.loads(
+    (Path(__file__).parents[1] / "optics" / "reference" / "films.json").read_text("utf-8")
+)["cases"]
+RELATIVE = 1e-12
+COATED = [case for case in GOLDEN if case["layers"]]
+
+
+def written(case: dict[str, Any]) -> dict[str, Any]:
+    """The query of a reference stack."""
+    layers = ",".join(
+        f"{layer['n']!r}+{layer['k']!r}i:{layer['thickness_nm']!r}"
+        if layer["k"]
+        else f"{layer['n']!r}:{layer['thickness_nm']!r}"
+        for layer in case["layers"]
+    )
+    names = ("n_i", "n_t", "k_t", "theta_i_deg", "wavelength_nm")
+    return {name: case[name] for name in names} | {"layers": layers}
+
+
+@pytest.mark.parametrize("case", COATED, ids=[str(i) for i in range(len(COATED))])
+def test_one_ray_has_the_reference_values(ask: Ask, case: dict[str, Any]) -> None:
+    told = json_of(ask("/snell", **written(case)))
+    for name in ("Rs", "Rp", "Ts", "Tp", "As", "Ap", "psi_deg"):
+        assert told[name] == pytest.approx(float(case[name]), rel=RELATIVE, abs=1e-25), name
+    assert sum(told["absorbed"]) == pytest.approx(told["A"], rel=RELATIVE)
+    assert len(told["layers"]) == len(told["absorbed"]) == len(case["layers"])
+    assert told["wavelength_nm"] == case["wavelength_nm"]
+    off = (told["delta_deg"] - float(case["delta_deg"]) + 180.0) % 360.0 - 180.0
+    assert off == pytest.approx(0.0, abs=RELATIVE * 180.0)
+
+
+def test_the_convention_is_that_of_always() -> None:
+    assert convention_text() == CONVENTION
+
+
+def test_bare_silicon_as_ellipsometers_print_it(ask: Ask) -> None:
+    """psi 10.57788; delta -179.20608 in exp(-iwt), +179.20608 as ellipsometers print it."""
+    silicon = {"n_t": 3.8827, "k_t": 0.0196, "theta_i_deg": 70.0}
+    for convention, sign, delta in (("exp(-iwt)", "+", -179.20608), ("exp(+iwt)", "-", 179.20608)):
+        told = json_of(ask("/snell", convention=convention, **silicon))
+        assert round(told["psi_deg"], 5) == 10.57788
+        assert round(told["delta_deg"], 5) == delta
+        assert f"N = n_t {sign} i k_t" in told["convention"]
+        assert told["r_s"]["phase_deg"] * np.sign(delta) > 0.0
+    told = json_of(ask("/snell", r_p_at_normal="r_s", **silicon))
+    assert round(told["delta_deg"], 5) == 0.79392
+    assert "r_p = r_s at normal incidence" in told["convention"]
+
+
+def test_a_plus_may_be_spelled_as_it_is(app: FastAPI, ask: Ask) -> None:
+    target = b"/api/v1/snell?layers=0.055+3.32i:30&convention=exp(+iwt)&theta_i_deg=40"
+    plain = send(app, target).json()
+    encoded = ask("/snell", layers="0.055+3.32i:30", convention="exp(+iwt)", theta_i_deg=40)
+    assert plain == json_of(encoded)
+    assert plain["layers"][0]["medium"] == "0.055+3.32i"
+
+
+def test_curves_have_what_is_absorbed(ask: Ask) -> None:
+    told = json_of(ask("/curves", layers="Ag:30", material="BK7", samples=31, ellipsometry="true"))
+    values = {curve["quantity"]: np.array(curve["values"]) for curve in told["curves"]}
+    assert list(values) == ["R", "Rs", "Rp", "T", "A", "psi_deg", "delta_deg"]
+    np.testing.assert_allclose(values["R"] + values["T"] + values["A"], 1.0, atol=1e-13)
+    (layer,) = told["layers"]
+    assert (layer["material"]["id"], layer["thickness_nm"], layer["incoherent"]) == (
+        "Ag",
+        30,
+        False,
+    )
+    ray = json_of(ask("/snell", layers="Ag:30", material="BK7", theta_i_deg=60))
+    for name in ("R", "Rs", "Rp", "T", "A", "psi_deg", "delta_deg"):
+        assert values[name][20] == pytest.approx(ray[name], rel=RELATIVE), name
+
+
+def test_a_pane_has_powers_but_no_phases(ask: Ask) -> None:
+    pane = {"layers": "1.5:3000000:incoherent", "n_t": 1}
+    told = json_of(ask("/snell", **pane))
+    assert told["R"] == pytest.approx(2 * 0.04 / 1.04, rel=RELATIVE)
+    assert [told[name] for name in ("r_s", "t_p", "psi_deg", "delta_deg")] == [None] * 4
+    error = error_of(ask("/curves", phase="true", **pane))
+    assert error["parameter"] == "phase"
+    assert "no amplitudes and no phases" in error["message"]
+
+
+def test_a_weakly_absorbing_preset_absorbs_in_a_thick_layer(ask: Ask) -> None:
+    """N-BK7 with k = 9.75e-9 absorbs 4 pi k d / wavelength of what passes 3 mm."""
+    told = json_of(ask("/snell", layers="BK7:3000000:incoherent", n_t=1))
+    k = told["layers"][0]["k"]
+    assert told["A"] == pytest.approx(4 * np.pi * k * 3e6 / 587.6, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("layers", "told"),
+    [
+        ("1.38", "MEDIUM:NM"),
+        ("1.38:", "MEDIUM:NM"),
+        (":100", "MEDIUM:NM"),
+        ("1.38:100,,2.35:50", "MEDIUM:NM"),
+        ("1.38:100:thick", "MEDIUM:NM"),
+        ("1.38:-5", "a thickness that is a finite number from 0"),
+        ("1.5-0.1i:30", "for n - i k give 1.5+0.1i"),
+        ("0:100", "an index whose n is"),
+        ("Mgf2:100,goldd:5", "nearest: Au"),
+        ("vacuum-wloka2005-air:3", "nearest"),
+        ("1.5+0.5i:1000:incoherent", "at most 0.01 n"),
+        ("1.5:1e9nm", "MEDIUM:NM"),
+    ],
+)
+def test_what_is_no_layer_is_refused_by_its_name(ask: Ask, layers: str, told: str) -> None:
+    error = error_of(ask("/snell", layers=layers))
+    assert error["parameter"] == "layers"
+    assert told in error["message"]
+
+
+def test_too_many_layers_are_refused(ask: Ask) -> None:
+    error = error_of(ask("/snell", layers=",".join(["1.5:1"] * 1001)))
+    assert (error["parameter"], error["message"]) == ("layers", "at most 1000")
+
+
+def test_no_other_model_knows_films(ask: Ask) -> None:
+    error = error_of(ask("/curves", layers="1.38:100", models="exact,schlick"))
+    assert (error["parameter"], error["value"]) == ("models", "schlick")
+
+
+def test_a_layer_is_spelled_as_it_can_be_read() -> None:
+    text = "MgF2:99.6,0.055+3.32i:30,BK7:3e6:incoherent,rii:main/Ag/Johnson:20,own:abc:5"
+    films = read_layers(text)
+    assert [film.medium for film in films] == [
+        "MgF2", "0.055+3.32i", "BK7", "rii:main/Ag/Johnson", "own:abc",
+    ]  # fmt: skip
+    assert read_layers(",".join(film.spelled for film in films)) == films
