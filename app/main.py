@@ -23,6 +23,7 @@ from app.api import (
     lut,
     materials,
     models,
+    mystery,
     recommend,
     shaders,
     snell,
@@ -144,6 +145,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         lut.router(registry),
         engines.router(registry),
         formulas.router(registry),
+        mystery.router(),
         evaluate.router(registry, pool, settings.max_body_bytes),
     ]
     table = RouteTable(routers)

@@ -6,7 +6,7 @@ from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Response, expect
 
 AXE = Path(__file__).parents[2] / "node_modules" / "axe-core" / "axe.min.js"
 READY_MS = 15_000
@@ -324,6 +324,26 @@ def test_the_wrong_angle_is_as_wrong_as_the_server_says(quiet_page: Page) -> Non
     page = opened(quiet_page, "traps")
     expect(page.locator(".lesson-live:visible")).to_contain_text("Largest error 0.959")
     expect(page.locator(".lesson-live:visible")).to_contain_text("exact 100.0\u00a0%")
+
+
+def test_the_solution_of_a_mystery_is_not_in_the_network(page: Page) -> None:
+    sent: list[str] = []
+
+    def note(response: Response) -> None:
+        if "/api/v1/" in response.url and "/materials" not in response.url:
+            sent.append(f"{response.url}\n{response.text()}")
+
+    page.on("response", note)
+    opened(page, "mystery", "&mystery=z1amiz")
+    page.wait_for_load_state("networkidle")
+    assert any("/mystery/z1amiz" in text for text in sent)
+    with page.expect_response(lambda response: "clues=1" in response.url) as asked:
+        page.get_by_role("button", name="a hint").click()
+    assert asked.value.json()["F0"] is None
+    with page.expect_response(lambda response: "clues=2" in response.url) as asked:
+        page.get_by_role("button", name="a hint").click()
+    assert asked.value.json()["F0"] == pytest.approx((1.42 / 3.42) ** 2)
+    assert [text for text in sent if re.search(r"\b2\.42\b", text)] == []
 
 
 def test_a_mystery_material_is_guessed(quiet_page: Page) -> None:

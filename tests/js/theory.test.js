@@ -66,10 +66,12 @@ test("an answer counts as found within two percent or two hundredths", () => {
 });
 
 test("the solution is asked for and not told", () => {
-  const state = stateWith(`section=mystery&mystery=${encode({ n: 2.417, k: 0 })}&own_n=1.9`);
-  assert.equal(queries(state).hidden, "/curves?n_t=2.417");
+  const code = encode({ n: 2.417, k: 0 });
+  const state = stateWith(`section=mystery&mystery=${code}&own_n=1.9`);
+  assert.equal(queries(state).hidden, `/mystery/${code}`);
   assert.ok(queries(state).curves?.includes("n_t=1.9"));
-  assert.ok(restCalls(state).every((path) => !path.includes("2.417")));
+  assert.ok(Object.values(queries(state)).every((path) => !path.includes("2.417")));
+  assert.deepEqual(restCalls(state), Object.values(queries(state)));
 });
 
 test("a lesson has its own numbers until they are moved", () => {

@@ -8,10 +8,11 @@ import { copyText, flash, h } from "../page/dom.js";
 import { addressOf } from "../page/links.js";
 import { html, nothing, render } from "../page/lit.js";
 import { pieces } from "../page/prose.js";
+import { load, Problem } from "../server/api.js";
 import { UNTOUCHED } from "./fields.js";
 import { settingOf } from "./lesson.js";
 import { decode, encode } from "./mystery-code.js";
-import { FIRST_MYSTERY, GUESS } from "./queries.js";
+import { FIRST_MYSTERY, GUESS, mysteryPath } from "./queries.js";
 import { createRows } from "./rows.js";
 import { createStage, LOOKS } from "./stage.js";
 
@@ -22,15 +23,24 @@ const NEAR = { absolute: 0.02, relative: 0.02 };
 export const isNear = (guess, truth) =>
   Math.abs(guess - truth) <= Math.max(NEAR.absolute, NEAR.relative * truth);
 
-/** What can be told, one after the other. @param {Interface} media */
-function cluesOf({ kind, F0, brewster_deg, pseudo_brewster_deg }) {
+const CLUES = 4;
+
+/**
+ * What `/mystery` sends, as many clues as it was asked for.
+ * @typedef {{code: string, theta_i_deg: number[], R: number[], Rs: number[] | null, Rp: number[] | null,
+ *   F0: number | null, kind: string | null, pseudo_brewster_deg: number | null}} Hidden
+ */
+
+/** What was told, one after the other. @param {Hidden} hidden */
+function cluesOf({ Rs, F0, kind, pseudo_brewster_deg: least }) {
+  const absorbs = kind === "conductor";
   return [
-    "Rₛ and Rₚ are shown too, thin.",
-    `Straight on it reflects ${percent(F0)}.`,
-    kind === "conductor" ? "It absorbs: k is not 0." : "It is clear: k is 0.",
-    brewster_deg === null
-      ? `Rₚ is least at ${angle(pseudo_brewster_deg, "deg", 1)}.`
-      : `Rₚ vanishes at ${angle(brewster_deg, "deg", 1)}.`,
+    ...(Rs ? ["Rₛ and Rₚ are shown too, thin."] : []),
+    ...(F0 === null ? [] : [`Straight on it reflects ${percent(F0)}.`]),
+    ...(kind ? [absorbs ? "It absorbs: k is not 0." : "It is clear: k is 0."] : []),
+    ...(least === null
+      ? []
+      : [`Rₚ ${absorbs ? "is least" : "vanishes"} at ${angle(least, "deg", 1)}.`]),
   ];
 }
 
@@ -56,18 +66,35 @@ export function createMystery({ catalog, state, actions, say }) {
   const element = h("div.lessons.mystery");
 
   let code = "";
-  /** @type {string[]} */
-  let clues = [];
-  let told = 0;
+  /** The material with the clues that were asked for. @type {Hidden | null} */
+  let told = null;
+  /** How many those are, the ones on their way included. */
+  let asked = 0;
+  /** Why no clue came. */
+  let silence = "";
   let apart = "";
   let verdict = "";
   let found = false;
   /** What became of the link to send. @type {unknown} */
   let made = nothing;
 
-  function hint() {
-    told += 1;
-    say(clues[told - 1] ?? "");
+  const clues = () => (told ? cluesOf(told) : []);
+
+  async function hint() {
+    const of = code;
+    asked += 1;
+    try {
+      const next = await load(mysteryPath(state(), asked));
+      if (of !== code) return;
+      if (cluesOf(next).length > clues().length) told = next;
+      silence = "";
+      say(clues().at(-1) ?? "");
+    } catch (problem) {
+      if (!(problem instanceof Problem)) throw problem;
+      if (of !== code) return;
+      asked = clues().length;
+      silence = `${problem.message}.`;
+    }
     actions.set({}, { history: "none" });
   }
 
@@ -138,12 +165,13 @@ export function createMystery({ catalog, state, actions, say }) {
           <div class="prose">${prose}</div>
           <p class="lesson-walk">
             <button type="button" class="forward" @click=${check}>Check my answer</button>
-            <button type="button" class="quiet" ?disabled=${told >= clues.length}
+            <button type="button" class="quiet" ?disabled=${asked >= CLUES}
               @click=${hint}>a hint</button>
             <button type="button" class="quiet" @click=${another}>another material</button>
           </p>
           <p class="verdict" data-found=${verdict ? found : nothing}>${verdict}</p>
-          <ol class="hints">${clues.slice(0, told).map((clue) => html`<li>${clue}</li>`)}</ol>
+          <ol class="hints">${clues().map((clue) => html`<li>${clue}</li>`)}</ol>
+          <p class="row-error" role="status">${silence}</p>
           <details class="definitions">
             <summary>Make one for others</summary>
             <p>Whoever opens the link sees the curve; n and k stand in it as a code that tells nothing to the eye.</p>
@@ -171,29 +199,29 @@ export function createMystery({ catalog, state, actions, say }) {
       const next = now.mystery ?? FIRST_MYSTERY;
       if (next !== code) {
         code = next;
-        clues = [];
-        told = 0;
+        told = null;
+        asked = 0;
+        silence = "";
         verdict = "";
       }
-      const truth = decode(code);
-      const { hidden: sent, curves } = answers;
-      if (sent && curves && sent.interface.n_t === truth?.n && sent.interface.k_t === truth?.k) {
-        clues = cluesOf(sent.interface);
+      const { hidden, curves } = answers;
+      /** @type {Hidden} */
+      const sent = told ?? hidden;
+      if (sent?.code === code && curves) {
         const setting = settingOf(now, GUESS);
         const x = sent.theta_i_deg;
         const mine = { x: curves.theta_i_deg, y: values(curves, "R") };
-        /** @param {'R' | 'Rs' | 'Rp'} id @param {object} look @returns {Trace} */
-        const line = (id, look) => ({ ...LOOKS[id], x, y: values(sent, id), ...look });
+        /** @param {'R' | 'Rs' | 'Rp'} id @param {number[] | null} y @param {object} look @returns {Trace[]} */
+        const line = (id, y, look) => (y ? [{ ...LOOKS[id], x, y, ...look }] : []);
         const lines = [
-          ...(told > 0 ? [line("Rs", { width: 1.2 }), line("Rp", { width: 1.2 })] : []),
-          line("R", { id: "hidden", label: "measured", width: 2.8 }),
+          ...line("Rs", sent.Rs, { width: 1.2 }),
+          ...line("Rp", sent.Rp, { width: 1.2 }),
+          ...line("R", sent.R, { id: "hidden", label: "measured", width: 2.8 }),
           { id: "guess", label: "yours", ...mine, color: "--accent", dash: "dash", width: 2 },
         ];
         const reading = stage.update(GUESS, setting, answers, moving, lines);
         rows.update(setting, reading ? landmarksOf(reading.interface) : []);
-        const gaps = values(sent, "R").map((y, i) =>
-          Math.abs((y ?? 0) - (read(mine.y, locate(mine.x, x[i])) ?? 0)),
-        );
+        const gaps = sent.R.map((y, i) => Math.abs(y - (read(mine.y, locate(mine.x, x[i])) ?? 0)));
         apart = `The two lines are ${plain(Math.max(...gaps), 2)} apart at most.`;
       }
       draw();

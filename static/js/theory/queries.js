@@ -1,8 +1,8 @@
 /** What the Theory view asks the server for. */
 
 import { coatPath } from "../coat/fields.js";
-import { lessonQueries, media, settingOf } from "./lesson.js";
-import { decode } from "./mystery-code.js";
+import { path } from "../state/state.js";
+import { lessonQueries } from "./lesson.js";
 import { STEPS } from "./steps.js";
 import { TRAPS } from "./trap-cards.js";
 
@@ -27,6 +27,11 @@ export const GUESS = {
   rows: { own_n: [0.05, 5], own_k: [0, 8], own_deg: [0, 90] },
   quantities: [],
 };
+
+/** By its code: n and k are neither in what is asked nor in the answer. @param {State} state @param {number} [clues] */
+export function mysteryPath({ mystery }, clues = 0) {
+  return path(`/mystery/${mystery ?? FIRST_MYSTERY}`, [clues > 0 && `clues=${clues}`]);
+}
 
 /** @param {State} state */
 function formulaCurve({ formula, ...state }) {
@@ -59,22 +64,12 @@ export function queries(state) {
       return { curve: formulaCurve(state), formulas: "/formulas" };
     case "claims":
       return { claims: "/claims" };
-    case "mystery": {
-      const hidden = decode(state.mystery ?? FIRST_MYSTERY);
-      const asked =
-        hidden && media({ ...settingOf(state, GUESS), n_i: 1, n_t: hidden.n, k_t: hidden.k });
-      return {
-        ...lessonQueries(state, GUESS),
-        ...(asked && { hidden: `/curves?${asked.join("&")}` }),
-      };
-    }
+    case "mystery":
+      return { ...lessonQueries(state, GUESS), hidden: mysteryPath(state) };
     default:
       return {};
   }
 }
 
-/** The calls that give what is on the screen, except the solution. @param {State} state */
-export function restCalls(state) {
-  const { hidden, ...shown } = queries(state);
-  return Object.values(shown);
-}
+/** The calls that give what is on the screen. @param {State} state */
+export const restCalls = (state) => Object.values(queries(state));
