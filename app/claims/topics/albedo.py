@@ -36,6 +36,18 @@ def _largest(fit: Fit, claim: FitClaim) -> Figure:
     return Figure("largest", says, f"/albedo/map?{ends}&fit={fit.id}", modulus(f"{part}.value"))
 
 
+def _found(fit: Fit, claim: FitClaim) -> str:
+    unit = "relative" if claim.relative else "absolute"
+    found = "{largest:.3g}" + f" {unit}. {fit.note}"
+    if claim.over is None:
+        return found
+    return found + " A(1) = 0 makes every offset infinite there: measured from 1 % off eta = 1."
+
+
+def _offered(claim: FitClaim) -> str:
+    return claim.source if "without a bound" in claim.source else f"for {claim.domain.words}"
+
+
 def _promise(claim: FitClaim) -> str:
     if claim.claimed is None:
         return "a fit without a figure"
@@ -56,7 +68,7 @@ def _claims(fit: Fit) -> Iterator[Claim]:
         says = (
             f"The largest error is {claim.claimed:g} ({unit}) for {claim.domain.words}."
             if published
-            else f"Offered for {claim.domain.words} without a figure."
+            else f"Offered without a figure: {_offered(claim)}."
         )
         yield Claim(
             id=f"{fit.id.replace('_', '-')}-{number + 1}" if number else fit.id.replace("_", "-"),
@@ -78,7 +90,7 @@ def _claims(fit: Fit) -> Iterator[Claim]:
                 if claim.claimed is not None
                 else ()
             ),
-            found="{largest:.3g}" + f" {unit}. {fit.note}",
+            found=_found(fit, claim),
         )
 
 

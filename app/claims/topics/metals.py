@@ -136,6 +136,41 @@ CLAIMS = (
         example="deon-conductor",
     ),
     Claim(
+        id="deon-n-i",
+        title="Four curves of a conductor, for n_i from 1 to 2",
+        claimed="The exact curve, Schlick's, Pharr's and the misunderstood one are drawn over each "
+        "other for n_i from 1 to 2.",
+        source=sources.DEON,
+        where="Conductor Fresnel Reflectance Comparison, the code of the plot",
+        domain="from n_i = 1.5 into n = 1.5, k = 2, straight on",
+        figures=(
+            Figure(
+                "own",
+                "R of Pharr's form straight on, n_i = 1.5",
+                "/curves?n_i=1.5&n_t=1.5&k_t=2&models=pharr_humphreys&samples=2",
+                value("curves[model=pharr_humphreys].values.0"),
+            ),
+            Figure(
+                "left_out",
+                "R of Pharr's form straight on, n_i left out",
+                "/curves?n_i=1&n_t=1.5&k_t=2&models=pharr_humphreys&samples=2",
+                value("curves[model=pharr_humphreys].values.0"),
+            ),
+        ),
+        parts=(
+            Part(
+                says="n_i is in all four: straight on they agree",
+                figure="left_out",
+                at_least="own",
+                at_most="own",
+            ),
+        ),
+        found="Pharr's curve and the misunderstood one are drawn without n_i, as from 1: straight on "
+        "{left_out:.4f} where {own:.4f} is right. The four belong together for n_i = 1 alone; here "
+        "all curves have it.",
+        example="deon-conductor",
+    ),
+    Claim(
         id="lazanyi-alpha",
         title="alpha = 7.7 for n = 1.5, k = 5",
         claimed="Solving for the angle where Schlick errs most gives the exponent 7.7.",
@@ -204,11 +239,13 @@ CLAIMS = (
     ),
     Claim(
         id="lazanyi-minimum",
-        title="Metals have the dip at a cosine of 0.1 to 0.15",
-        claimed="For most metals Schlick errs most where the cosine is between 0.1 and 0.15.",
+        title="Metals have the dip between 0.1 and 0.15",
+        claimed="For most metals the local minimum of the error term is somewhere between 0.1 and 0.15; "
+        "of what, the memo does not say.",
         source=sources.LAGARDE,
         where="Fresnel Schlick's approximation, metals, quoting Lazanyi and Szirmay-Kalos 2005",
-        domain="from vacuum into n from 0.1 to 4 and k from 1.7 to 8, d'Eon's box of metals",
+        domain="read as a cosine; from vacuum into n from 0.1 to 4 and k from 1.7 to 8, d'Eon's box of "
+        "metals",
         figures=(
             Figure(
                 "share",

@@ -314,7 +314,7 @@ CLAIMS = (
     Claim(
         id="schlick-error-of-n",
         title="Where Schlick is best",
-        claimed="The polynomial covers the dielectrics that are used in games.",
+        claimed="The accurate range still covers most materials that are used in games.",
         source=sources.LAGARDE,
         where="Fresnel Schlick's approximation",
         domain="from vacuum into n from 1.3 to 2.2, 0 to 90 degrees",

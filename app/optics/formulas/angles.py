@@ -60,8 +60,8 @@ FORMULAS = (
         latex=r"n_i\sin\theta_i=n_t\sin\theta_t,\quad "
         r"\tan\theta_t=\frac{\sin\theta_i}{\operatorname{Re}q},\quad q=\sqrt{N^2-\sin^2\theta_i}",
         reference="M. Born and E. Wolf, Principles of Optics, 7th edition, 1.5.1 and 14.2, "
-        "doi:10.1017/CBO9781139644181; quoted by P. Shirley, Fresnel Equations, Schlick Approximation, "
-        "Metals, and Dielectrics (2020)",
+        "doi:10.1017/CBO9781139644181; of absorbers, P. Shirley, Fresnel Equations, Schlick "
+        "Approximation, Metals, and Dielectrics (2020), quoting Wikipedia",
         validity="Every interface; none beyond the critical angle. In an absorber it is the "
         "angle of the "
         "planes of constant phase, while those of constant amplitude stay parallel to the surface.",

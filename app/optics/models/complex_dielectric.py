@@ -1,4 +1,4 @@
-"""The dielectric formula fed with a complex index: a common misunderstanding."""
+"""The dielectric formula fed with a complex index: a misunderstood form."""
 
 import numpy as np
 

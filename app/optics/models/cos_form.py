@@ -21,7 +21,8 @@ MODEL = Model(
     latex=r"R=\tfrac12\left(\frac{n_i\cos\theta_i-n_t\cos\theta_t}{n_i\cos\theta_i+n_t\cos\theta_t}"
     r"\right)^2+\tfrac12\left(\frac{n_i\cos\theta_t-n_t\cos\theta_i}{n_i\cos\theta_t+n_t\cos\theta_i}"
     r"\right)^2",
-    reference="P. Shirley, Fresnel Equations, Schlick Approximation, Metals, and Dielectrics (2020)",
+    reference="P. Shirley, Fresnel Equations, Schlick Approximation, Metals, and Dielectrics (2020), "
+    "quoting Wikipedia",
     validity="Exact for dielectrics below the critical angle, undefined beyond it; loses digits as "
     "n_t approaches n_i, and is 0/0 for n_t = n_i at 90 degrees.",
     cost=Cost(add=7, mul=11, div=2, sqrt=1),

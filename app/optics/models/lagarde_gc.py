@@ -21,7 +21,8 @@ MODEL = Model(
     applies_to=("dielectric",),
     latex=r"R=\frac{(g-c)^2}{2(g+c)^2}\left(1+\frac{(c(g+c)-1)^2}{(c(g-c)+1)^2}\right),\quad "
     r"g=\sqrt{\eta^2+c^2-1},\quad c=\cos\theta_i,\quad R=1\ \text{for}\ g^2<0",
-    reference="S. Lagarde, Memo on Fresnel equations (2013), after R. Cook and K. Torrance (1982)",
+    reference="S. Lagarde, Memo on Fresnel equations (2013), after Larsen, Shading a Surface using "
+    "BRDFs; the form of R. Cook and K. Torrance (1982)",
     validity="Exact for dielectrics, total internal reflection included; loses digits as eta "
     "approaches 1, and is 0/0 for eta = 1 at 90 degrees.",
     cost=Cost(add=8, mul=8, div=2, sqrt=1),

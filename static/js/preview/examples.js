@@ -28,15 +28,15 @@ const WATER = { n_t: 1.333, scene: "water", pitch: 14, distance: 7 };
 
 export const EXAMPLES = [
   { title: "Glossy paint", source: "Shirley", state: {} },
-  { title: "Clear glass: T and R mixed", source: "Shirley", state: { body: "clear" } },
-  { title: "Gold", source: "Lagarde", state: { material: "Au" } },
+  { title: "T and R mixed, in glass", source: "after Shirley", state: { body: "clear" } },
+  { title: "Gold", source: "measured n, k", state: { material: "Au" } },
   {
     title: "Per vertex, figure 7",
     source: "Wloka",
-    state: { ...WATER, right: "exact", right_by: "vertex" },
+    state: { ...WATER, right: "schlick", right_by: "vertex" },
   },
   {
-    title: "Texture, figure 13",
+    title: "Texture, figure 13, of 16 texels",
     source: "Wloka",
     state: { ...WATER, right: "exact", right_by: "texture", texels: 16 },
   },

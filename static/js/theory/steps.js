@@ -1,6 +1,7 @@
 /**
  * The first path: from the look of water to metals and coats, in the order in which P. Shirley tells it
- * (Fresnel Equations, Schlick Approximation, Metals, and Dielectrics, 2020), in our words.
+ * (Fresnel Equations, Schlick Approximation, Metals, and Dielectrics, 2020), in our words; total
+ * reflection and the albedo he does not tell.
  */
 
 import { angle, percent, plain } from "../numbers/format.js";
@@ -48,7 +49,7 @@ export const STEPS = [
     title: "Reflected and transmitted are one",
     text: [
       "Nothing is lost at a clear surface. What is not reflected goes through: $R+T=1$.",
-      "It does not matter which way the light goes. Reverse it, and your eye sees the sum of both sides: $R$ of the light from above and $T$ of the light from below. This is the whole recipe for a ray tracer's water: trace both rays and weigh their colors by $R$ and $T$.",
+      "It does not matter which way the light goes. Reverse it, and your eye sees the sum of both sides: $R$ of the light from above and $T$ of the light from below. For what is lit from above, by sun and sky, this is the recipe of a ray tracer's water: trace both rays and weigh their colors by $R$ and $T$. A lamp in the water needs a third factor: rays that leave the water fan out, and their radiance, which is what a ray carries, changes by $(n_i/n_t)^2$ besides $T$, here 0.56. Light from above was bundled by the inverse as it went in, so for it the two cancel.",
       "Where the second ray goes is **Snell's law**: $n_i\\sin\\theta_i=n_t\\sin\\theta_t$, with the refractive index $n$ of either side, the factor by which light is slower there. The rest of this path is about the two weights.",
     ],
     formula: "angle.refraction",

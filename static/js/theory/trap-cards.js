@@ -107,7 +107,7 @@ export const TRAPS = [
     title: "A complex index in the dielectric formula",
     code: "g = sqrt(N*N - 1 + c*c);   // N complex now\nR = abs(0.5 * (g-c)*(g-c)/((g+c)*(g+c)) * (1 + …));",
     text: [
-      "Fresnel's equations hold for a complex index, but the compact form for dielectrics does not: it squares the quotients before the modulus is taken, and the square of a modulus is not the modulus of a sum of squares. d'Eon shows the curve as a common misunderstanding.",
+      "Fresnel's equations hold for a complex index, but the compact form for dielectrics does not: it squares the quotients before the modulus is taken, and the square of a modulus is not the modulus of a sum of squares. d'Eon shows the curve as a misunderstood form. His notebook leaves $n_i$ out of it and out of Pharr's form, though it has a slider for it: from $n_i=1.5$ into $1.5+2i$ they are up to 0.117 and 0.107 off his own. Here all curves have it.",
       "Take the modulus of each amplitude first: $R=\\tfrac12(|r_s|^2+|r_p|^2)$. At $k=0$ both agree, which is why a test with glass does not find the mistake.",
     ],
     formula: "model.complex_dielectric",

@@ -10,7 +10,6 @@ from app.optics.interface import Interface
 from app.optics.parameters import Array
 
 _MITSUBA = "comment in Mitsuba, include/mitsuba/render/fresnel.h, fresnel_diffuse_reflectance"
-_FROM_1_01 = "A(1) = 0 makes every offset infinite there, so it is measured from 1 % off eta = 1."
 
 
 def polyval(x: Array, coefficients: tuple[float, ...]) -> Array:
@@ -82,7 +81,7 @@ FITS = (
         r"\quad x=\tfrac1n",
         reference="E. d'Eon and G. Irving, A Quantized-Diffusion Model for Rendering Translucent "
         "Materials, ACM Trans. Graph. 30(4), 2011, doi:10.1145/2010324.1964951; in Mitsuba and PBRT",
-        note="The fit that renderers use from outside. " + _FROM_1_01,
+        note="The fit that renderers use from outside.",
         claims=(
             _relative(1.0, 2.0, 0.001, 0.00936, 1.01, Domain(eta=(1.01, 2.0))),
             _relative(2.0, 10.0, 0.002, 0.0135, 10.0),
@@ -120,7 +119,7 @@ FITS = (
         latex=r"A\approx 0.0636\,n+0.6681+0.7099\,x-1.4399\,x^2,\quad x=\tfrac1n=\eta",
         reference="W. G. Egan and T. W. Hilgeman 1973, as H. W. Jensen et al., A Practical Model for "
         "Subsurface Light Transport, SIGGRAPH 2001, doi:10.1145/383259.383319, quote it; in Mitsuba",
-        note="Internal diffuse reflectance, n the dense medium's relative index. " + _FROM_1_01,
+        note="Internal diffuse reflectance, n the dense medium's relative index.",
         claims=(
             _relative(
                 1.0 / 1.5, 1.0, 0.001, 0.0391, 1.0 / 1.01, Domain(eta=(1.0 / 1.5, 1.0 / 1.01))
