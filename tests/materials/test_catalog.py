@@ -194,3 +194,13 @@ def test_loading_is_small_even_with_every_spectrum() -> None:
     finally:
         tracemalloc.stop()
     assert max(used, peak) < LOAD_BYTES
+
+
+def test_a_maker_is_named_once_and_a_rival_that_is_another_product_by_its_own_name(
+    catalog: Catalog,
+) -> None:
+    """OHARA makes no N-BK7: its equivalent is called S-BSL7."""
+    assert catalog.get("BK7-OHARA").name == "S-BSL7 (Ohara)"
+    makers = ("Schott", "Ohara", "Hoya", "Sumita", "CDGM")
+    for preset in catalog.presets:
+        assert sum(maker.lower() in preset.name.lower() for maker in makers) <= 1, preset.name

@@ -27,6 +27,8 @@ class Rival(Strict):
     """Another measurement of the material that it stands under."""
 
     page: PagePath
+    name: Text | None = None
+    """Its own, where it is another product; the material's with the page unless given."""
     axis: Axis = "isotropic"
     sample: Sample
     confidence: Confidence
@@ -85,5 +87,5 @@ def choices(materials: tuple[Material, ...]) -> Iterator[Choice]:
     for material in materials:
         for rival in material.rivals:
             page = rival.page.rsplit("/", 1)[1]
-            name = f"{material.name} ({page})"
+            name = rival.name or f"{material.name} ({page})"
             yield Choice(f"{material.id}-{page}", name, (), material.id, material, rival)
