@@ -1,0 +1,165 @@
+"""What columns hold, by their names, by their numbers and by hand."""
+
+import re
+from collections.abc import Sequence
+
+import numpy as np
+
+from app.materials.reading.report import Notes, Undecided
+from app.materials.reading.rows import COMMENT, Layout
+from app.materials.reading.units import UNITS, unit_spelled, units_named
+from app.optics.errors import NotAllowed
+from app.optics.parameters import Array
+
+ABSCISSAE = ("wavelength", "energy", "wavenumber", "frequency")
+PAIRS = (("n", "k"), ("eps1", "eps2"), ("delta", "beta"))
+"""Columns that are N = n + i k together, n, k or 1 - n."""
+ROLES = (*ABSCISSAE, *(name for pair in PAIRS for name in pair), "-")
+"""What the parameter `columns` takes; - stands for a column that is not used."""
+
+_UNIT = re.compile(r"[\(\[\{/,_ ]\s*([^\(\)\[\]\{\}/,_ ]+(?:\^?\(?[-−⁻][1¹]\)?)?)\s*[\)\]\}]?\s*$")
+_NAMES = {
+    "wavelength": r"wl|w|wave|wvl|lam|lambda|λ|wave-?len(gth)?s?|wellenl(ä|ae)nge|longueurd.?onde",
+    "energy": r"e|energy|photonenergy|energie|hv|hν|ħω|hbaromega",
+    "wavenumber": r"wavenumbers?|wellenzahl|sigma|ν̃",
+    "frequency": r"f|freq|frequency|frequenz|nu|ν",
+    "n": r"n|nr|nre|n_?t|eta|re\(?n\)?|realn?|n_?real|index(ofrefraction)?|ior|"
+    r"ri|refr?(active)?(index|ind)|ref\.?index|indexn|brechungsindex",
+    "k": r"k|ni|nim|k_?t|kappa|κ|im\(?n\)?|imagn?|n_?imag|ext(inction)?\.?(coeff?(icient)?\.?)?|"
+    r"extinktionskoeffizient|absorptionindex",
+    "eps1": r"(e|eps|epsilon|ε|er|die)_?(1|₁|r|re|real|')|(re|real)\(?_?(e|eps|epsilon|ε)\)?",
+    "eps2": r"(e|eps|epsilon|ε|die)_?(2|₂|i|im|imag|'')|(im|imag)\(?_?(e|eps|epsilon|ε)\)?",
+    "delta": r"delta|δ",
+    "beta": r"beta|β",
+}
+_ROLE = {role: re.compile(names, re.IGNORECASE) for role, names in _NAMES.items()}
+
+
+def role_of(name: str) -> tuple[str, str | None]:
+    """Tell what a column of this name holds, and the unit that the name carries.
+
+    Returns
+    -------
+    tuple
+        One of `ROLES`, "-" where nothing is known; and a unit or None.
+    """
+    name = name.strip().strip("\"'#;%*:").strip()
+    if name.casefold() == "wl":  # so refractiveindex.info calls its columns, which are in um
+        return "wavelength", "um"
+    bare = unit_spelled(name)
+    if bare is not None and name.lower() != "a":
+        return UNITS[bare].kind, bare
+    unit = None
+    found = _UNIT.search(name)
+    if found is not None:
+        unit = unit_spelled(found[1])
+        if unit is not None:
+            name = name[: found.start()]
+    stem = re.sub(r"\s+", "", re.sub(r"[\(\[\{][^\(\)\[\]\{\}]*[\)\]\}]\s*$", "", name))
+    for role, pattern in _ROLE.items():
+        for text in (stem, re.sub(r"\s+", "", name)):
+            if pattern.fullmatch(text):
+                return (UNITS[unit].kind if unit and role in ABSCISSAE else role), unit
+    if unit is not None:
+        return UNITS[unit].kind, unit
+    return "-", None
+
+
+def columns_named(
+    header: Sequence[str], layout: Layout, width: int
+) -> tuple[tuple[str, ...], str | None] | None:
+    """Find the names of columns in the lines above them.
+
+    Returns
+    -------
+    tuple
+        A role a column, and the unit of the first; None where no line names an abscissa and
+        something beside it.
+    """
+    for line in reversed(header[-12:]):
+        for cells in sorted(_cells(line, layout), key=lambda way: len(way) != width):
+            if len(cells) < 2:
+                continue
+            roles = [role_of(cell) for cell in cells]
+            kinds = [kind for kind, _ in roles[:width]]
+            kinds += ["-"] * (width - len(kinds))
+            abscissae = [kind for kind in kinds if kind in ABSCISSAE]
+            others = [kind for kind in kinds if kind not in (*ABSCISSAE, "-")]
+            if abscissae and others and len(cells) >= min(width, 2):
+                at = kinds.index(abscissae[0])
+                return tuple(kinds), roles[at][1] if at < len(roles) else None
+    return None
+
+
+def _cells(line: str, layout: Layout) -> list[list[str]]:
+    """Ways to part a line of names: as the rows are, by wide gaps, and by any blanks."""
+    comment = COMMENT.match(line)
+    line = line[comment.end() :] if comment else line
+    joined = re.sub(r"\s+(?=[\(\[\{])", "", line.strip())
+    ways = [layout.cells(line), re.split(r"\t+|\s{2,}", line.strip()), joined.split()]
+    ways += [[cell.strip() for cell in line.split(",")], [cell.strip() for cell in line.split(";")]]
+    return [[cell for cell in way if cell] for way in ways]
+
+
+def by_hand(columns: Sequence[str], width: int) -> tuple[str, ...]:
+    """Check what was said of the columns.
+
+    Raises
+    ------
+    NotAllowed
+        If a word is none of `ROLES` or of a file's columns, or one is there twice.
+    """
+    given = tuple(columns)
+    allowed = f"comma-separated words of {', '.join(ROLES)}, one a column, with an abscissa"
+    used = [word for word in given if word != "-"]
+    wrong = (
+        any(word not in ROLES for word in given)
+        or len(set(used)) < len(used)
+        or sum(word in ABSCISSAE for word in given) != 1
+        or not {"n", "k", "eps1", "delta"}.intersection(given)
+    )
+    if wrong:
+        raise NotAllowed("columns", ",".join(given), allowed)
+    if len(given) > width:
+        what = f"at most {width} words: the rows have {width} numbers"
+        raise NotAllowed("columns", ",".join(given), what)
+    return given + ("-",) * (width - len(given))
+
+
+def by_number(table: Array, notes: Notes) -> tuple[str, ...]:
+    """Tell what columns without names hold.
+
+    Raises
+    ------
+    Undecided
+        If there are too many.
+    """
+    width = table.shape[1]
+    if width == 2:
+        columns = ("wavelength", "n")
+        why = "two columns without names: an abscissa and n"
+        notes.assume("columns", ",".join(columns), why)
+        return columns
+    if width == 3:
+        second = table[:, 1]
+        second = second[np.isfinite(second) & (second > -900.0)]
+        negative = float(np.mean(second < 0.0)) if second.size else 0.0
+        if negative > 0.2:
+            columns3 = ("wavelength", "eps1", "eps2")
+            why = f"the second of three columns is negative in {negative:.0%} of the rows, as n is not"
+            notes.assume("columns", ",".join(columns3), why, ["wavelength,n,k"])
+        else:
+            columns3 = ("wavelength", "n", "k")
+            why = "three columns without names: an abscissa, n and k"
+            notes.assume("columns", ",".join(columns3), why, ["wavelength,eps1,eps2"])
+        return columns3
+    raise Undecided(
+        "columns",
+        f"what the {width} columns hold: no line names them; say it as wavelength,n,k with - for a "
+        "column that is not used",
+    )
+
+
+def unit_in(header: Sequence[str]) -> list[str]:
+    """Units that the lines above a table name."""
+    return units_named("\n".join(header[-40:])[:8000])

@@ -1,0 +1,138 @@
+"""Files of n and k, read into one material with everything that was assumed."""
+
+import re
+from collections.abc import Sequence
+
+import numpy as np
+
+from app.materials.dispersion import refractive_index
+from app.materials.reading.constants import constants
+from app.materials.reading.document import Document, document
+from app.materials.reading.format import Content, Format
+from app.materials.reading.registry import default_formats
+from app.materials.reading.report import Choices, Notes, Reading, Undecided, Unreadable
+from app.materials.reading.units import UNITS
+from app.materials.schema import Formula, Quantity
+from app.optics.errors import NotAllowed
+from app.optics.parameters import N_T
+
+MOST_FILES = 2
+LONGEST_NAME = 60
+_SCANNED = 2001
+"""Wavelengths at which a formula has to make sense."""
+
+
+def read(files: Sequence[tuple[str, bytes]], choices: Choices | None = None) -> Reading:
+    """Read a file, or two that hold eta and k, and say how.
+
+    Parameters
+    ----------
+    files
+        Names and contents. Nothing of them is kept.
+    choices
+        What is set by hand.
+
+    Raises
+    ------
+    Unreadable
+        If a file cannot be used; the error says what could be.
+    Undecided
+        If something cannot be told from the file; `parameter` of the error decides it.
+    NotAllowed, UnknownName
+        If a choice is none.
+    """
+    choices = choices or Choices()
+    if not 1 <= len(files) <= MOST_FILES:
+        names = ", ".join(name for name, _ in files[:5]) or None
+        raise Unreadable("file", names, "one file, or two that hold eta and k of one material")
+    if choices.unit is not None and choices.unit not in UNITS:
+        raise NotAllowed("unit", choices.unit, f"one of {', '.join(UNITS)}")
+    documents = [document(name, content) for name, content in files]
+    notes = Notes(choices)
+    kind = _format(documents, notes)
+    if len(documents) > 1 and kind.id != "spd":
+        names = ", ".join(d.name for d in documents)
+        raise Unreadable("file", names, "one file; only eta and k of .spd come in two")
+    content = kind.read(documents, notes)
+    return _reading(documents[0], kind, content, notes)
+
+
+def _format(documents: Sequence[Document], notes: Notes) -> Format:
+    formats = default_formats()
+    if notes.choices.format is not None:
+        return formats.find(notes.choices.format)
+    fitting = [(kind, why) for kind in formats.values() if (why := kind.sniff(documents[0]))]
+    best = [(kind, why) for kind, why in fitting if kind.rank == fitting[0][0].rank]
+    if len(best) > 1:
+        names = " or ".join(f"format={kind.id}" for kind, _ in best)
+        raise Undecided("format", f"the format, which may be several; say {names}")
+    kind, why = best[0]
+    notes.assume("format", kind.id, why, ["table"] if kind.id != "table" else ())
+    return kind
+
+
+def _reading(first: Document, kind: Format, content: Content, notes: Notes) -> Reading:
+    found = constants(content.tables, notes)
+    n: Quantity | None = found.n
+    if content.formula is not None:
+        n = _formula(first, content.formula)
+    if n is None:
+        lines = notes.left_out
+        because = f"; the first row left out: line {lines[0].line}, {lines[0].why}" if lines else ""
+        raise Unreadable("file", first.name, f"n at one wavelength at least{because}")
+    if notes.more_left_out:
+        notes.warn(f"{notes.more_left_out} more rows are left out than are listed")
+    relative_to = notes.choices.relative_to or content.relative_to
+    tables = content.tables
+    unit = tables[0].unit if tables else "um"
+    columns = content.columns or (
+        (UNITS[unit].kind, *tables[0].columns) if tables else ("wavelength", "n")
+    )
+    return Reading(
+        name=_name(notes.choices.name or content.name or _stem(first.name)),
+        format=kind.id,
+        unit=unit,
+        columns=columns,
+        sign=found.sign,
+        order=found.order,
+        relative_to=relative_to,
+        n=n,
+        k=found.k,
+        assumed=tuple(notes.assumed),
+        left_out=tuple(sorted(notes.left_out, key=lambda row: row.line)),
+        merged=notes.merged,
+        warnings=tuple(notes.warnings),
+    )
+
+
+def _formula(first: Document, formula: Formula) -> Formula:
+    """Refuse a formula that has no n that can be computed with, somewhere in its range."""
+    low, high = formula.range_nm
+    if not 0.0 < low < high <= 1e7:
+        raise Unreadable(
+            "file", first.name, f"a range of wavelengths; {low:g} to {high:g} nm is none"
+        )
+    wavelength_nm = np.geomspace(low, high, _SCANNED)
+    with np.errstate(all="ignore"):
+        n = refractive_index(formula.number, formula.coefficients, wavelength_nm / 1000.0)
+    wrong = np.flatnonzero(~N_T.admits(n))
+    if wrong.size:
+        at = int(wrong[0])
+        raise Unreadable(
+            "file",
+            first.name,
+            f"a formula with n from {N_T.minimum:g} to {N_T.maximum:g} throughout its range; at "
+            f"{wavelength_nm[at]:.6g} nm it gives {n[at]:.4g}",
+        )
+    return formula
+
+
+def _stem(name: str) -> str:
+    return re.sub(r"(\.(eta|k|n))?\.[A-Za-z0-9]{1,5}$", "", name)
+
+
+def _name(text: str) -> str:
+    """A name of one line."""
+    return " ".join("".join(c if c.isprintable() else " " for c in text).split())[
+        :LONGEST_NAME
+    ] or ("own material")

@@ -1,0 +1,164 @@
+"""Lines of text as rows of numbers: separators, decimal signs, comments and what is missing."""
+
+import math
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from app.materials.reading.document import MOST_ROWS
+from app.materials.reading.report import Notes, Unreadable
+
+COMMENT = re.compile(r"\s*(?:[#;%!*'\"]|//)")
+"""How lines begin that are no data."""
+
+MISSING_BELOW = -900.0
+"""-999 and -9999 stand for what was not measured; no optical constant is as low but eps1 of metals
+in the far infrared, which is no such round number."""
+
+_SEPARATORS = (";", "\t", ",", None)  # None: blanks
+_SAMPLE = 200
+_NOTHING = frozenset({"", "-", "--", "_", "na", "n/a", "nan", "null", "none", "#n/a"})
+_FORTRAN = re.compile(r"(?<=\d)[dD](?=[-+]?\d)")
+_MOST_COLUMNS = 64
+
+
+@dataclass(frozen=True)
+class Layout:
+    """How numbers stand in lines."""
+
+    separator: str | None
+    """None for blanks."""
+    decimal: str
+
+    def cells(self, line: str) -> list[str]:
+        """Part a line; separators at its end are no cells."""
+        if self.separator is None:
+            return line.split()
+        cells = [cell.strip() for cell in line.split(self.separator)]
+        while cells and not cells[-1]:
+            cells.pop()
+        return cells
+
+    def number(self, cell: str) -> float | None:
+        """Read a cell; NaN for what is missing, None for what is no number."""
+        cell = cell.strip("\"'")
+        if self.decimal == ",":
+            if "." in cell:
+                return None
+            cell = cell.replace(",", ".")
+        try:
+            # float() takes 1_000 and digits of other scripts, which no table has.
+            return float(cell) if "_" not in cell and cell.isascii() else None
+        except ValueError:
+            pass
+        if cell.casefold() in _NOTHING:
+            return math.nan
+        try:
+            return float(_FORTRAN.sub("e", cell)) if cell.isascii() and "_" not in cell else None
+        except ValueError:
+            return None
+
+    def row(self, line: str) -> list[float] | None:
+        """Read a line of at least two numbers, None where it is none."""
+        cells = self.cells(line)
+        if not 2 <= len(cells) <= _MOST_COLUMNS:
+            return None
+        numbers = []
+        for cell in cells:
+            number = self.number(cell)
+            if number is None:
+                return None
+            numbers.append(number)
+        return numbers if math.isfinite(numbers[0]) else None
+
+
+@dataclass
+class Block:
+    """Rows that belong together, with the lines above them."""
+
+    header: list[str]
+    """Lines above, comments among them."""
+    rows: list[list[float]]
+    numbers: list[int]
+    """Of the rows' lines."""
+
+
+def layout_of(lines: Sequence[str], notes: Notes) -> Layout | None:
+    """Find out how numbers stand in lines; None where none are."""
+    sample = [line for line in lines if any(c.isdigit() for c in line) and not COMMENT.match(line)]
+    middle = max(0, len(sample) // 2 - _SAMPLE // 2)
+    sample = sample[:_SAMPLE] + sample[max(_SAMPLE, middle) :][:_SAMPLE]
+    best: tuple[float, Layout] | None = None
+    for separator in _SEPARATORS:
+        for decimal in (".", ","):
+            if decimal == separator or notes.choices.decimal not in (None, decimal):
+                continue
+            layout = Layout(separator, decimal)
+            widths = Counter(len(row) for line in sample if (row := layout.row(line)))
+            if not widths:
+                continue
+            score = widths.most_common(1)[0][1] / len(sample)
+            if best is None or score > best[0]:
+                best = score, layout
+    if best is None:
+        return None
+    layout = best[1]
+    if layout.decimal == ",":
+        notes.assume("decimal", ",", "the rows are numbers with this decimal sign alone", ["."])
+    return layout
+
+
+def blocks_of(lines: Sequence[str], layout: Layout, notes: Notes, name: str) -> list[Block]:
+    """Part lines into blocks of rows; a line of words below rows begins another block.
+
+    Rows of another length than most of their block are left out.
+
+    Raises
+    ------
+    Unreadable
+        If there are too many rows.
+    """
+    blocks = [Block([], [], [])]
+    row_of = layout.row
+    count = 0
+    for number, line in enumerate(lines, start=1):
+        row = row_of(line)
+        if row is not None:
+            blocks[-1].rows.append(row)
+            blocks[-1].numbers.append(number)
+            count += 1
+            if count > MOST_ROWS:
+                raise Unreadable("file", name, f"a table of at most {MOST_ROWS:,} rows")
+        elif line.strip():
+            if blocks[-1].rows and _heads(line, layout):
+                blocks.append(Block([], [], []))
+            if not blocks[-1].rows:
+                blocks[-1].header.append(line)
+            elif not COMMENT.match(line):
+                notes.leave_out(number, f"no row of numbers: {line.strip()[:60]}")
+    return [_even(block, notes) for block in blocks if block.rows]
+
+
+def _heads(line: str, layout: Layout) -> bool:
+    """Whether a line below rows heads other rows: words alone, not a comment or a broken row."""
+    if COMMENT.match(line):
+        return False
+    cells = layout.cells(line)
+    return len(cells) > 1 and all(layout.number(cell) is None for cell in cells)
+
+
+def _even(block: Block, notes: Notes) -> Block:
+    """Leave out rows that are shorter or longer than most."""
+    widths = Counter(map(len, block.rows))
+    if len(widths) == 1:
+        return block
+    usual = widths.most_common(1)[0][0]
+    rows, numbers = [], []
+    for row, number in zip(block.rows, block.numbers, strict=True):
+        if len(row) == usual:
+            rows.append(row)
+            numbers.append(number)
+        else:
+            notes.leave_out(number, f"{len(row)} numbers where most rows have {usual}")
+    return Block(block.header, rows, numbers)
