@@ -3,9 +3,7 @@
 import re
 from collections.abc import Sequence
 
-import numpy as np
-
-from app.materials.dispersion import refractive_index
+from app.materials.formula_check import refuse_useless
 from app.materials.reading.constants import constants
 from app.materials.reading.document import Document, document
 from app.materials.reading.format import Content, Format
@@ -14,12 +12,9 @@ from app.materials.reading.report import Choices, Notes, Reading, Undecided, Unr
 from app.materials.reading.units import UNITS
 from app.materials.schema import Formula, Quantity
 from app.optics.errors import NotAllowed
-from app.optics.parameters import N_T
 
 MOST_FILES = 2
 LONGEST_NAME = 60
-_SCANNED = 2001
-"""Wavelengths at which a formula has to make sense."""
 
 
 def read(files: Sequence[tuple[str, bytes]], choices: Choices | None = None) -> Reading:
@@ -106,24 +101,10 @@ def _reading(first: Document, kind: Format, content: Content, notes: Notes) -> R
 
 
 def _formula(first: Document, formula: Formula) -> Formula:
-    """Refuse a formula that has no n that can be computed with, somewhere in its range."""
-    low, high = formula.range_nm
-    if not 0.0 < low < high <= 1e7:
-        raise Unreadable(
-            "file", first.name, f"a range of wavelengths; {low:g} to {high:g} nm is none"
-        )
-    wavelength_nm = np.geomspace(low, high, _SCANNED)
-    with np.errstate(all="ignore"):
-        n = refractive_index(formula.number, formula.coefficients, wavelength_nm / 1000.0)
-    wrong = np.flatnonzero(~N_T.admits(n))
-    if wrong.size:
-        at = int(wrong[0])
-        raise Unreadable(
-            "file",
-            first.name,
-            f"a formula with n from {N_T.minimum:g} to {N_T.maximum:g} throughout its range; at "
-            f"{wavelength_nm[at]:.6g} nm it gives {n[at]:.4g}",
-        )
+    try:
+        refuse_useless(formula)
+    except NotAllowed as error:
+        raise Unreadable("file", first.name, error.allowed) from None
     return formula
 
 
