@@ -28,6 +28,7 @@ from app.api import (
     shaders,
     snell,
 )
+from app.api.materials import reading
 from app.api.table import RouteTable
 from app.http import problems
 from app.http.bounds import Bounded
@@ -141,6 +142,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         convert.router(),
         albedo.router(registry),
         materials.router(registry),
+        reading.router(pool, settings.max_body_bytes),
         shaders.router(registry),
         lut.router(registry),
         engines.router(registry),

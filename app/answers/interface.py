@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 from app.answers.answer import answer, filled, number_or_none
 from app.materials.media import Resolved
-from app.materials.schema import RelativeTo, WavelengthIn
+from app.materials.schema import Confidence, RelativeTo, WavelengthIn
 from app.optics.angles import LANDMARKS
 from app.optics.interface import Interface, Kind
 from app.optics.specular import F82
@@ -54,7 +52,7 @@ class ResolvedPreset:
     wavelength_in: WavelengthIn
     sample: str
     """bulk, film, model, calculated or unstated"""
-    confidence: Literal["high", "medium", "low"]
+    confidence: Confidence
     source: str
     """The reference."""
     doi: list[str]

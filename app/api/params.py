@@ -18,6 +18,7 @@ from app.materials.media import (
     resolve_incident,
     resolve_material,
 )
+from app.materials.own.token import LONGEST
 from app.optics.ellipsometry import Convention, Normal, TimeFactor
 from app.optics.errors import OpticsError
 from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, WAVELENGTH_NM, Parameter
@@ -41,7 +42,7 @@ def number(parameter: Parameter, **options: Any) -> Any:
 def preset_name(description: str, *examples: str) -> Any:
     """Pydantic field of a preset's id."""
     return Field(
-        None, min_length=1, max_length=100, description=description, examples=list(examples)
+        None, min_length=1, max_length=LONGEST, description=description, examples=list(examples)
     )
 
 

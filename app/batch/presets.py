@@ -19,6 +19,7 @@ from app.materials.media import (
     transparent,
     within,
 )
+from app.materials.own.token import is_own
 from app.materials.schema import Preset
 from app.optics.errors import OpticsError
 from app.optics.meant import in_nm
@@ -111,7 +112,8 @@ class _Task:
             name = distinct[code]
             preset = default_catalog().find(name)
             if preset is None:
-                fault = Fault(side, name, hints.of(name, _nearest))
+                told = _nearest(name) if is_own(name) else hints.of(name, _nearest)
+                fault = Fault(side, name[:200], told)
                 for row in which.tolist():
                     self._refuse(row, fault)
                 continue
@@ -175,7 +177,10 @@ def _with_unit(same: str, wavelength_nm: float) -> str:
 
 
 def _nearest(name: str) -> str:
-    return UnknownMaterial(name, default_catalog().nearest(name)).allowed
+    try:
+        return f"{default_catalog().get(name).id} is one"
+    except UnknownMaterial as error:
+        return error.allowed
 
 
 def _known_alike(preset: Preset, wavelength_nm: Array) -> Iterator[NDArray[np.bool_]]:

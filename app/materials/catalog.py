@@ -7,6 +7,8 @@ from pathlib import Path
 
 from app.materials.errors import NoSpectrum, UnknownMaterial, WavelengthOutOfRange
 from app.materials.location import data_directory
+from app.materials.own.material import own
+from app.materials.own.token import BrokenToken, is_own
 from app.materials.schema import Category, Database, Index, Preset, SpectrumFile
 from app.materials.search import matches, means_another, names, nearest
 from app.materials.spectrum import Spectrum
@@ -72,13 +74,15 @@ class Catalog:
         return tuple(self._by_category)
 
     def get(self, id: str) -> Preset:  # noqa: A002
-        """Return the preset of an id, else of an alias or name.
+        """Return the preset of an id, else of an alias or name; an own material's id holds it.
 
         Raises
         ------
         UnknownMaterial
-            With the nearest ids.
+            With the nearest ids, or with what is wrong with an own material's.
         """
+        if is_own(id):
+            return own(id).preset
         found = self.find(id)
         if found is None:
             raise UnknownMaterial(id, self.nearest(id))
@@ -87,6 +91,11 @@ class Catalog:
     def find(self, id: str) -> Preset | None:  # noqa: A002
         """Return the preset of an id, else of an alias or name, or None."""
         word = id.strip()
+        if is_own(word):
+            try:
+                return own(word).preset
+            except BrokenToken:
+                return None
         if means_another(word):
             return None
         return self._by_id.get(word) or self._by_name.get(word.casefold())
@@ -112,6 +121,8 @@ class Catalog:
         NoSpectrum
             If its source prints a single index.
         """
+        if is_own(id):
+            return own(id).spectrum
         preset = self.get(id)
         if preset.kind == "single":
             raise NoSpectrum(preset.id)

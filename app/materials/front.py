@@ -70,7 +70,7 @@ class Front:
             return self.n_i, []
         n, k = self.spectrum.n_absolute(wavelength_nm), self.spectrum.k(wavelength_nm)
         said = transparency_warnings(self.preset, None if k is None else float(k.max()))
-        return n, [f"{self.preset.id}: {warning}" for warning in said]
+        return n, [f"{self.preset.called}: {warning}" for warning in said]
 
     def visible(self) -> tuple[Array | float, list[str]]:
         """Return n_i over the visible, end values held, and what has to be said about it."""
@@ -78,4 +78,6 @@ class Front:
             return self.n_i, []
         seen = self.spectrum.visible  # of an unknown k, which is 0 there, it says so itself
         warnings = transparency_warnings(self.preset, float(seen.k.max()))
-        return seen.n, [f"{self.preset.id}: {warning}" for warning in (*seen.warnings, *warnings)]
+        return seen.n, [
+            f"{self.preset.called}: {warning}" for warning in (*seen.warnings, *warnings)
+        ]

@@ -46,7 +46,7 @@ def transparent(k: float) -> str:
 
 def within(bounds: Parameter, quantity: str, preset: Preset) -> Callable[[float], str]:
     """What is allowed instead of a wavelength at which n or k of a preset is out of bounds."""
-    wanted = f"one where {quantity} of {preset.id} is {bounds.allowed}; here it is "
+    wanted = f"one where {quantity} of {preset.called} is {bounds.allowed}; here it is "
     return lambda value: f"{wanted}{value:.5g}"
 
 

@@ -4,6 +4,7 @@ What answers pass on as it was read, a preset or a provenance, is a dataclass: O
 descriptions of its fields from here.
 """
 
+import re
 from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
@@ -27,7 +28,7 @@ Category = Literal[
 ]
 Axis = Literal["isotropic", "o", "e"]
 Sample = Literal["bulk", "film", "model", "calculated", "unstated"]
-Confidence = Literal["high", "medium", "low"]
+Confidence = Literal["high", "medium", "low", "unstated"]
 Reference = Literal["vacuum", "air"]
 RelativeTo = Annotated[
     Reference | None,
@@ -45,6 +46,10 @@ WavelengthIn = Annotated[
     ),
 ]
 Id = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9.-]*$")]
+PresetId = Annotated[
+    str, Field(pattern=r"^(own:[A-Za-z0-9_-]+|[A-Za-z0-9][A-Za-z0-9.-]*)$", max_length=12_000)
+]
+"""An id of a file, or of a material that people bring, which is its data."""
 Text = Annotated[str, Field(min_length=1)]
 Sha256 = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
 Channels = tuple[float, float, float]
@@ -84,6 +89,13 @@ class Color:
         Field(description="F82 over Schlick's there, of the light's white: the tint of F82-tint."),
     ]
     luminance: Annotated[float, Field(description="Luminous reflectance Y at normal incidence.")]
+
+
+def called(preset_id: str, name: str) -> str:
+    """What a preset is called in sentences and names of files."""
+    if not preset_id.startswith("own:"):
+        return preset_id
+    return "own-" + (re.sub(r"[^A-Za-z0-9.]+", "-", name).strip("-.") or "material")
 
 
 class Row(Strict):
@@ -131,7 +143,7 @@ class Table(Strict):
 class Preset:
     """A material as lists show it, with its constants at one reference wavelength to ten digits."""
 
-    id: Id
+    id: PresetId
     name: Text
     category: Category
     aliases: tuple[Text, ...] = ()
@@ -179,6 +191,11 @@ class Preset:
     ]
     color: Annotated[Color, Field(description="Under D65, to six decimals.")]
     abbe: Annotated[float | None, Field(description="Abbe number of transparent materials.")] = None
+
+    @property
+    def called(self) -> str:
+        """Its id; of a material that people bring, whose id is its data, something shorter."""
+        return called(self.id, self.name)
 
 
 @dataclass(frozen=True, kw_only=True, config=PASSED_ON)

@@ -170,6 +170,14 @@ class TestAccessLog:
             "pid": os.getpid(),
         }
 
+    def test_data_of_own_materials_are_not_logged(self, app: FastAPI, pipe: Pipe) -> None:
+        for spelled in (b"own:AbcDef-_1", b"own%3AAbcDef-_1"):
+            _, line = logged(app, pipe, API + b"/snell?material=" + spelled + b"&n_i=2")
+            assert "AbcDef" not in json.dumps(line)
+            assert line["target"].endswith("...&n_i=2")
+            _, line = logged(app, pipe, API + b"/materials/" + spelled + b"/spectrum")
+            assert "AbcDef" not in json.dumps(line)
+
     def test_a_crash_is_named_beside_its_id(self, pipe: Pipe) -> None:
         app = create_app()
 

@@ -18,7 +18,7 @@ from app.answers.materials.rgb import RgbCurves, rgb_curves
 from app.materials.appearance import DAYLIGHT, Viewing, interface
 from app.materials.front import Front
 from app.materials.media import default_catalog
-from app.materials.schema import Preset
+from app.materials.schema import Preset, called
 from app.materials.spectrum import Spectrum
 from app.optics.amplitudes import reflectance
 from app.optics.color import Gamut
@@ -65,7 +65,7 @@ class MaterialCurves:
             columns[f"R_{_written(single.wavelength_nm)}nm"] = single.R
         for curve in self.rgb.curves if self.rgb else ():
             columns |= {f"{curve.model}.{name}": getattr(curve, name) for name in COLORS}
-        return Table(columns, f"{self.material.id}_curves.csv")
+        return Table(columns, f"{called(self.material.id, self.material.name)}_curves.csv")
 
 
 def curves(

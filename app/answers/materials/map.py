@@ -10,7 +10,7 @@ from app.answers.materials.about import About, FrontMedium, range_within, refuse
 from app.materials.appearance import interface
 from app.materials.front import Front
 from app.materials.media import default_catalog
-from app.materials.schema import Preset
+from app.materials.schema import Preset, called
 from app.optics.amplitudes import power
 from app.optics.incidence import Incidence
 
@@ -44,7 +44,7 @@ class MaterialMap:
             "theta_i_deg": np.tile(self.theta_i_deg, self.wavelength_nm.size),
             self.quantity: self.values.ravel(),
         }
-        return Table(columns, f"{self.material.id}_map.csv")
+        return Table(columns, f"{called(self.material.id, self.material.name)}_map.csv")
 
 
 def reflectance_map(
@@ -80,7 +80,9 @@ def reflectance_map(
     spectrum = default_catalog().spectrum(preset.id)
     known = front.range_beside(spectrum)
     visible = max(known[0], VISIBLE_NM[0]), min(known[1], VISIBLE_NM[1])
-    names = preset.id if front.spectrum is None else f"{preset.id} and of {front.spectrum.id}"
+    names = (
+        preset.called if front.spectrum is None else f"{preset.called} and of {front.spectrum.id}"
+    )
     low, high = range_within(
         (minimum_nm, maximum_nm), known, visible if visible[0] < visible[1] else known, names
     )

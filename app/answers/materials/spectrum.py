@@ -9,7 +9,7 @@ from app.answers.axes import MOST_STEPS
 from app.answers.materials.about import About, range_within, refuse_more_than
 from app.materials.appearance import normal_reflectance
 from app.materials.media import default_catalog
-from app.materials.schema import Formula, Points, Preset, Quantity, Range
+from app.materials.schema import Formula, Points, Preset, Quantity, Range, called
 from app.optics.errors import NotAllowed
 from app.optics.parameters import Array
 
@@ -60,7 +60,7 @@ class MaterialSpectrum:
         absolute = {} if self.n_absolute is None else {"n_absolute": self.n_absolute}
         columns = {"wavelength_nm": self.wavelength_nm, "n": self.n, **absolute, "k": k}
         columns["F0"] = self.F0
-        return Table(columns, f"{self.material.id}_spectrum.csv")
+        return Table(columns, f"{called(self.material.id, self.material.name)}_spectrum.csv")
 
 
 def spectrum(
@@ -89,7 +89,7 @@ def spectrum(
     """
     data = default_catalog().spectrum(preset.id)
     known = data.known_range_nm
-    low, high = range_within((minimum_nm, maximum_nm), known, known, preset.id)
+    low, high = range_within((minimum_nm, maximum_nm), known, known, preset.called)
     native = None
     if step_nm is not None:
         wavelength_nm = _stepped(low, high, step_nm)

@@ -9,6 +9,7 @@ from starlette.requests import Request
 from app.server.pool import Overloaded
 
 _AT_A_TIME = 2
+_IN_PARTS = " (FRESNEL_MAX_BODY_BYTES); send an Arrow stream, which takes less, or several calls"
 
 
 class Bodies:
@@ -18,10 +19,13 @@ class Bodies:
     ----------
     limit
         Bytes of the largest body; all that are being read may hold twice as many.
+    advice
+        What to do with a larger one.
     """
 
-    def __init__(self, limit: int) -> None:
+    def __init__(self, limit: int, advice: str = _IN_PARTS) -> None:
         self._limit = limit
+        self._advice = advice
         self._held = 0
 
     @asynccontextmanager
@@ -51,8 +55,4 @@ class Bodies:
             self._held -= len(body)
 
     def _too_large(self) -> HTTPException:
-        detail = (
-            f"the body is larger than {self._limit} bytes (FRESNEL_MAX_BODY_BYTES); "
-            "send an Arrow stream, which takes less, or several calls"
-        )
-        return HTTPException(413, detail)
+        return HTTPException(413, f"the body is larger than {self._limit} bytes{self._advice}")

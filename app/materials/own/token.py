@@ -32,6 +32,7 @@ LONGEST = 12_000
 CLOSE = 1e-5
 """How far n and k may be from linear interpolation between the points given."""
 
+_CUT = "this one was cut or changed on its way; copy the whole link"
 _MARK = b"\x01"
 _ALPHABET = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_")
 _MOST_BYTES = 400_000
@@ -68,6 +69,11 @@ class Kept:
     largest_difference_n: float
     largest_difference_k: float | None
     """From the points given, with linear interpolation between those that are kept."""
+
+    @property
+    def is_coarse(self) -> bool:
+        """Whether one is larger than it should be: the points did not fit."""
+        return max(self.largest_difference_n, self.largest_difference_k or 0.0) > CLOSE
 
 
 class BrokenToken(UnknownMaterial):
@@ -113,20 +119,20 @@ def read(token: str) -> OwnData:
     """
     token = token.strip()
     text = token.removeprefix(PREFIX)
-    try:
-        if len(token) > LONGEST or not set(text) <= _ALPHABET:
-            raise ValueError
-        content = base64.urlsafe_b64decode(text + "=" * (-len(text) % 4))
-    except (ValueError, binascii.Error):
+    if len(token) > LONGEST or not set(text) <= _ALPHABET:
         why = f"it has at most {LONGEST} letters, digits, - and _; read the file again"
-        raise BrokenToken(token, why) from None
+        raise BrokenToken(token, why)
+    try:
+        content = base64.urlsafe_b64decode(text + "=" * (-len(text) % 4))
+    except binascii.Error:
+        raise BrokenToken(token, _CUT) from None
     if content[:1] != _MARK:
         raise BrokenToken(
             token, "this one was made by another version or program; read the file again"
         )
     checksum, compressed = content[1:5], content[5:]
     if zlib.crc32(compressed).to_bytes(4, "big") != checksum:
-        raise BrokenToken(token, "this one was cut or changed on its way; copy the whole link")
+        raise BrokenToken(token, _CUT)
     try:
         unpacker = zlib.decompressobj()
         body = unpacker.decompress(compressed, _MOST_BYTES)

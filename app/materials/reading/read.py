@@ -8,13 +8,14 @@ from app.materials.reading.constants import constants
 from app.materials.reading.document import Document, document
 from app.materials.reading.format import Content, Format
 from app.materials.reading.registry import default_formats
-from app.materials.reading.report import Choices, Notes, Reading, Undecided, Unreadable
+from app.materials.reading.report import Choices, Notes, Reading, RelativeTo, Undecided, Unreadable
 from app.materials.reading.units import UNITS
-from app.materials.schema import Formula, Quantity
+from app.materials.schema import Formula, Points, Quantity
 from app.optics.errors import NotAllowed
 
 MOST_FILES = 2
 LONGEST_NAME = 60
+SHORTEST_IN_AIR_NM = 185.0
 
 
 def read(files: Sequence[tuple[str, bytes]], choices: Choices | None = None) -> Reading:
@@ -77,7 +78,8 @@ def _reading(first: Document, kind: Format, content: Content, notes: Notes) -> R
         raise Unreadable("file", first.name, f"n at one wavelength at least{because}")
     if notes.more_left_out:
         notes.warn(f"{notes.more_left_out} more rows are left out than are listed")
-    relative_to = notes.choices.relative_to or content.relative_to
+    k = _beside(n, found.k, notes)
+    relative_to = _relative_to(content, n, notes)
     tables = content.tables
     unit = tables[0].unit if tables else "um"
     columns = content.columns or (
@@ -92,7 +94,7 @@ def _reading(first: Document, kind: Format, content: Content, notes: Notes) -> R
         order=found.order,
         relative_to=relative_to,
         n=n,
-        k=found.k,
+        k=k,
         assumed=tuple(notes.assumed),
         left_out=tuple(sorted(notes.left_out, key=lambda row: row.line)),
         merged=notes.merged,
@@ -106,6 +108,34 @@ def _formula(first: Document, formula: Formula) -> Formula:
     except NotAllowed as error:
         raise Unreadable("file", first.name, error.allowed) from None
     return formula
+
+
+def _ends(quantity: Quantity) -> tuple[float, float]:
+    if isinstance(quantity, Formula):
+        return quantity.range_nm
+    return quantity.wavelength_nm[0], quantity.wavelength_nm[-1]
+
+
+def _beside(n: Quantity, k: Points | None, notes: Notes) -> Points | None:
+    """Leave k out where it is known nowhere that n is."""
+    if k is None:
+        return None
+    (low, high), (first, last) = _ends(n), _ends(k)
+    if first <= high and low <= last:
+        return k
+    notes.warn(
+        f"n is known from {low:.6g} to {high:.6g} nm, k from {first:.6g} to {last:.6g} nm, nowhere "
+        "together: k is left out"
+    )
+    return None
+
+
+def _relative_to(content: Content, n: Quantity, notes: Notes) -> RelativeTo | None:
+    chosen = notes.choices.relative_to or content.relative_to
+    if chosen == "air" and _ends(n)[0] < SHORTEST_IN_AIR_NM:
+        what = f"vacuum: air is not transparent below {SHORTEST_IN_AIR_NM:g} nm"
+        raise Unreadable("relative_to", "air", what)
+    return chosen
 
 
 def _stem(name: str) -> str:
