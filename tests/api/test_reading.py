@@ -193,3 +193,15 @@ def test_the_answer_is_as_openapi_tells(app: FastAPI, read: dict[str, Any]) -> N
     assert set(properties["properties"]) == set(read)
     assert set(operation["requestBody"]["content"]) == {"multipart/form-data", "text/plain"}
     assert {p["name"] for p in operation["parameters"]} >= {"format", "unit", "columns", "sign"}
+
+
+def test_a_catalog_s_glass_is_relative_to_air(ask: Ask, app: FastAPI) -> None:
+    """N-BK7's coefficients from a glass catalog: n_d = 1.5168 in air, 0.0421646 of it reflected."""
+    text = (FILES / "two-glasses.agf").read_bytes().split(b"IT ")[0]
+    told = post(app, files=[("file", ("glass.agf", text))]).json()
+    assert told["report"]["relative_to"] == "air"
+    in_air = ask("/snell", material=told["material"], incident="air", wavelength_nm=587.5618).json()
+    assert in_air["interface"]["F0"] == pytest.approx(0.0421646, abs=5e-8)
+    from_vacuum = ask("/snell", material=told["material"], wavelength_nm=587.5618).json()
+    assert from_vacuum["interface"]["F0"] == pytest.approx(0.0422179, abs=5e-8)
+    assert from_vacuum["interface"]["material"]["relative_to"] == "air"

@@ -8,8 +8,8 @@ from app.answers.answer import Gaps, Values, answer, filled
 from app.materials.own.material import own
 from app.materials.own.token import OwnData, write
 from app.materials.reading.read import read
-from app.materials.reading.report import Choices, Order, RelativeTo, Sign
-from app.materials.schema import Range
+from app.materials.reading.report import Choices, Order, Sign
+from app.materials.schema import Range, Reference
 
 
 @answer
@@ -48,7 +48,7 @@ class Report:
     """n+ik or n-ik, as the file writes an index that absorbs."""
     order: Order
     """Of the abscissa in the file."""
-    relative_to: RelativeTo | None
+    relative_to: Reference | None
     """What n is relative to; null where nothing says it."""
     assumed: list[Assumed]
     left_out: list[RowLeftOut]

@@ -22,8 +22,9 @@ from app.http.writing import write
 from app.materials.reading.document import MOST_BYTES
 from app.materials.reading.read import LONGEST_NAME, MOST_FILES
 from app.materials.reading.registry import default_formats
-from app.materials.reading.report import Choices, RelativeTo, Sign
+from app.materials.reading.report import Choices, Sign
 from app.materials.reading.units import UNITS
+from app.materials.schema import Reference
 from app.server.pool import Pool
 
 _MOST_BODY = MOST_FILES * MOST_BYTES + 100_000
@@ -66,7 +67,7 @@ class ReadQuery(DigitsQuery):
     n_from: Literal["table", "formula"] | None = Field(
         None, description="Which n is taken where a page has a formula and a table."
     )
-    relative_to: RelativeTo | None = Field(None, description="What n is relative to.")
+    relative_to: Reference | None = Field(None, description="What n is relative to.")
     glass: str | None = Field(
         None, max_length=100, description="The glass of a catalog.", examples=["N-BK7"]
     )

@@ -9,9 +9,10 @@ from hashlib import sha256
 import numpy as np
 
 from app.materials.appearance import appearance
-from app.materials.own.token import OwnData, read
+from app.materials.own.token import BrokenToken, OwnData, read
 from app.materials.schema import Channels, Color, Preset, Provenance, SpectrumFile, called
 from app.materials.spectrum import Spectrum
+from app.optics.errors import OutOfRange
 from app.optics.interface import Interface
 from app.optics.parameters import Array
 
@@ -45,7 +46,10 @@ def own(token: str) -> Own:
     """
     data = read(token)
     spectrum = Spectrum(_file(token, data))
-    return Own(_preset(token.strip(), data, spectrum), spectrum)
+    try:
+        return Own(_preset(token.strip(), data, spectrum), spectrum)
+    except OutOfRange as error:  # n = 100 in air is more against vacuum
+        raise BrokenToken(token, f"{error.parameter} is to be {error.allowed}") from None
 
 
 def _file(token: str, data: OwnData) -> SpectrumFile:
@@ -57,6 +61,8 @@ def _file(token: str, data: OwnData) -> SpectrumFile:
         sample="unstated",
         confidence="unstated",
         conditions={},
+        relative_to=data.relative_to,
+        wavelength_in=None,
         note=None,
         warnings=(),
         provenance=Provenance(
@@ -80,16 +86,19 @@ def _preset(token: str, data: OwnData, spectrum: Spectrum) -> Preset:
     low, high = spectrum.range_nm
     at = min(max(REFERENCE_NM, low), high)
     absorbs = spectrum.k(at)
-    n, k = float(spectrum.n(at)), None if absorbs is None else float(absorbs)
+    k = None if absorbs is None else float(absorbs)
+    n_absolute = float(spectrum.n_absolute(at))
     look = appearance(spectrum)
     return Preset(
         id=token,
         name=data.name,
         category="generic",
         kind="spectrum",
-        n=n,
+        n=float(spectrum.n(at)),
+        n_absolute=n_absolute,
         k=k,
         wavelength_nm=at,
+        relative_to=data.relative_to,
         n_range_nm=spectrum.n_range_nm,
         k_range_nm=spectrum.k_range_nm,
         sample="unstated",
@@ -97,7 +106,7 @@ def _preset(token: str, data: OwnData, spectrum: Spectrum) -> Preset:
         source=SOURCE,
         licence=LICENCE,
         warnings=look.warnings,
-        F0=float(Interface(n_t=n, k_t=k or 0.0).F0),
+        F0=float(Interface(n_t=n_absolute, k_t=k or 0.0).F0),
         color=Color(
             F0=_channels(look.F0),
             F82=_channels(look.F82),

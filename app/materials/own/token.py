@@ -9,7 +9,7 @@ import binascii
 import zlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 import orjson
@@ -17,11 +17,9 @@ import orjson
 from app.materials.errors import UnknownMaterial
 from app.materials.formula_check import refuse_useless
 from app.materials.own.resampling import kept, means
-from app.materials.schema import Formula, Points, Quantity
+from app.materials.schema import Formula, Points, Quantity, Reference
 from app.optics.errors import OpticsError
 from app.optics.parameters import K_T, N_T, WAVELENGTH_NM, Array, Parameter
-
-Reference = Literal["vacuum", "air"]
 
 PREFIX = "own:"
 """What the ids of own materials begin with."""
@@ -44,6 +42,7 @@ _TOLERANCES = ((CLOSE, 1e-3), (CLOSE, np.inf), (4.0 * CLOSE, np.inf))
 """How far n and k may be from what is given, and k from itself besides: small ones count in glass.
 The first that is met within the length is taken."""
 _MOST_MEANS = 3000
+_FEWEST_DIGITS = 9
 _LONGEST_NAME = 60
 
 
@@ -180,21 +179,26 @@ def _points(x: Array, values: Array) -> list[Points]:
 
 
 def _mean(group: _Curves, count: int) -> list[Points]:
-    x, values = means(*_distinct(group), count)
-    rounded = np.array([_nine(value) for value in x.tolist()])
+    given, curves = _distinct(group)
+    x, values = means(given, curves, count)
+    rounded = _in_digits(x, _FEWEST_DIGITS)
     apart = np.append(np.diff(rounded) > 0.0, True)
     return _points(rounded[apart], values[:, apart])
 
 
-def _nine(value: float) -> float:
-    return float(f"{value:.9g}")
+def _in_digits(x: Array, digits: int) -> Array:
+    return np.array([float(f"{value:.{digits}g}") for value in x.tolist()])
 
 
 def _distinct(group: _Curves) -> tuple[Array, Array]:
-    """Wavelengths of 9 digits, as far as those are apart, and the values there, a row a curve."""
-    rounded = np.array([_nine(value) for value in group[0][1].wavelength_nm])
+    """Wavelengths in as many digits as matter, as far as those are apart, and the values there."""
+    x = np.array(group[0][1].wavelength_nm)
+    values = np.array([points.values for _, points in group])
+    steepest = np.abs(np.diff(values) / np.diff(x)).max(initial=0.0)
+    matter = np.log10(max(x[-1] * steepest / _ROUNDING, 1.0))
+    rounded = _in_digits(x, min(max(_FEWEST_DIGITS, int(np.ceil(matter))), 15))
     apart = np.flatnonzero(np.diff(rounded, prepend=-1.0) > 0.0)
-    return rounded[apart], np.array([points.values for _, points in group])[:, apart]
+    return rounded[apart], values[:, apart]
 
 
 def _rounded(value: float) -> float:
@@ -228,7 +232,7 @@ def _whole(values: tuple[float, ...]) -> list[int]:
         for d in range(16)
         if d == 15
         or np.abs(array).max() * 10.0 ** (d + 1) > 2.0**52
-        or np.all(np.abs(np.rint(array * 10.0**d) / 10.0**d - array) <= 1e-9 * np.abs(array))
+        or np.all(np.abs(np.rint(array * 10.0**d) / 10.0**d - array) <= 1e-13 * np.abs(array))
     )
     whole = np.rint(array * 10.0**decimals).astype(np.int64)
     orders = [np.diff(whole, n=order, prepend=[0] * order) for order in (0, 1, 2)]

@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 
 from app.materials.reading.constants import Table
 from app.materials.reading.document import Document
-from app.materials.reading.report import Notes, RelativeTo
-from app.materials.schema import Formula
+from app.materials.reading.report import Notes
+from app.materials.schema import Formula, Reference
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -18,7 +18,7 @@ class Content:
     """Of n."""
     name: str | None = None
     """Of the material, where the file says it."""
-    relative_to: RelativeTo | None = None
+    relative_to: Reference | None = None
     columns: tuple[str, ...] = field(default=())
     """What the columns of the first table are; from its roles unless given."""
 

@@ -8,9 +8,9 @@ from app.materials.reading.constants import constants
 from app.materials.reading.document import Document, document
 from app.materials.reading.format import Content, Format
 from app.materials.reading.registry import default_formats
-from app.materials.reading.report import Choices, Notes, Reading, RelativeTo, Undecided, Unreadable
+from app.materials.reading.report import Choices, Notes, Reading, Undecided, Unreadable
 from app.materials.reading.units import UNITS
-from app.materials.schema import Formula, Points, Quantity
+from app.materials.schema import Formula, Points, Quantity, Reference
 from app.optics.errors import NotAllowed
 
 MOST_FILES = 2
@@ -130,7 +130,7 @@ def _beside(n: Quantity, k: Points | None, notes: Notes) -> Points | None:
     return None
 
 
-def _relative_to(content: Content, n: Quantity, notes: Notes) -> RelativeTo | None:
+def _relative_to(content: Content, n: Quantity, notes: Notes) -> Reference | None:
     chosen = notes.choices.relative_to or content.relative_to
     if chosen == "air" and _ends(n)[0] < SHORTEST_IN_AIR_NM:
         what = f"vacuum: air is not transparent below {SHORTEST_IN_AIR_NM:g} nm"

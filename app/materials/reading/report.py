@@ -4,12 +4,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from app.materials.schema import Quantity
+from app.materials.schema import Quantity, Reference
 from app.optics.errors import NotAllowed
 
 Sign = Literal["n+ik", "n-ik"]
 Order = Literal["rising", "falling", "unsorted"]
-RelativeTo = Literal["vacuum", "air"]
 
 MOST_LEFT_OUT = 500
 """Rows left out that are listed one by one."""
@@ -36,7 +35,7 @@ class Choices:
     sign: Sign | None = None
     decimal: Literal[".", ","] | None = None
     zero_k: Literal["known", "unknown"] | None = None
-    relative_to: RelativeTo | None = None
+    relative_to: Reference | None = None
     n_from: Literal["table", "formula"] | None = None
     glass: str | None = None
     name: str | None = None
@@ -108,7 +107,7 @@ class Reading:
     sign: Sign
     order: Order
     """Of the abscissa in the file."""
-    relative_to: RelativeTo | None
+    relative_to: Reference | None
     """What n is relative to; None where nothing says it."""
     n: Quantity
     k: Quantity | None
