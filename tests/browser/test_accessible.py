@@ -14,6 +14,7 @@ PLACES = {
     "compare": "?view=compare",
     "albedo": "?view=albedo",
     "materials": "?view=materials",
+    "engines": "?view=engines&engine=babylon&measured=gold",
     "preview": "?view=preview",
     "path": "?view=theory",
     "formulas": "?view=theory&section=formulas",
