@@ -18,6 +18,7 @@ from app.api import (
     errors,
     evaluate,
     figures,
+    films,
     formulas,
     health,
     lut,
@@ -135,6 +136,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     routers: list[APIRouter] = [
         curves.router(registry),
         snell.router(),
+        films.router(),
         health.router(drain),
         models.router(registry, settings.static_dir),
         errors.router(registry),

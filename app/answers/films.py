@@ -93,7 +93,7 @@ class Coated:
         resolved = [(film, *resolve_film(film, wavelength_nm)) for film in asked]
         at = D_LINE_NM if wavelength_nm is None else wavelength_nm
         made = [
-            _layer(film, index.real, index.imag, film.thickness_nm or 0.0)
+            layer_of(film, index.real, index.imag, film.thickness_nm or 0.0)
             for film, index, _ in resolved
         ]
         n_i, n_t, k_t = (float(part) for part in interface.indices)
@@ -101,7 +101,7 @@ class Coated:
         return cls(interface, [LayerFacts.of(*each) for each in resolved], at, stack)
 
 
-def _layer(film: Film, n: float | Array, k: float | Array, thickness_nm: float | Array) -> Layer:
+def layer_of(film: Film, n: float | Array, k: float | Array, thickness_nm: float | Array) -> Layer:
     """Make a layer of the core; what it refuses is the layer as it was written."""
     try:
         return Layer(n, k, thickness_nm, incoherent=film.incoherent)

@@ -123,10 +123,10 @@ class InterfaceQuery(QueryModel):
         return PresetInterface(self.n_i, self.n_t, self.k_t, self._incident, self._material)
 
 
-def layers(description: str = "") -> Any:
+def layers(description: str, *, required: bool = False) -> Any:
     """Pydantic field of layers."""
     return Field(
-        None,
+        ... if required else None,
         min_length=1,
         max_length=20_000,
         description=f"Films between the media: {SPELLING}. An incoherent layer is so thick that the "

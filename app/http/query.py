@@ -60,7 +60,7 @@ class QueryModel(BaseModel):
         BadParameters
             Naming what there is too much of, and the setting.
         """
-        samples = getattr(self, "samples", 0)
+        samples = getattr(self, "samples", None) or 0
         if samples > max_samples:
             message = f"this server computes at most {max_samples} (FRESNEL_MAX_SAMPLES)"
             raise BadParameters({"parameter": "samples", "value": samples, "message": message})

@@ -16,9 +16,7 @@ from app.materials.media import (
     Resolved,
     default_catalog,
     resolve_layer,
-    transparency_warnings,
 )
-from app.materials.schema import Preset
 from app.materials.spectrum import UNKNOWN_K
 from app.optics.errors import NotAllowed, OpticsError
 from app.optics.parameters import K_T, LAYER_K, LAYER_N, N_T, THICKNESS_NM, Array
@@ -56,7 +54,7 @@ class Film:
 
 @dataclass(frozen=True, slots=True)
 class Constants:
-    """n and k of a medium over wavelengths, and what has to be said of them."""
+    """n, against vacuum, and k of a medium over wavelengths, and what has to be said of them."""
 
     n: Array
     k: Array
@@ -146,7 +144,7 @@ def resolve_film(film: Film, wavelength_nm: float | None) -> tuple[complex, Reso
         return film.index, None
     with reported_as_layers(film):
         resolved = resolve_layer(film.medium, wavelength_nm)
-    return complex(resolved.constants.n, resolved.constants.k or 0.0), resolved
+    return complex(resolved.constants.n_absolute, resolved.constants.k or 0.0), resolved
 
 
 def film_constants(film: Film, wavelength_nm: Array | None) -> Constants:
@@ -185,7 +183,7 @@ def material_constants(name: str, wavelength_nm: Array | None) -> Constants:
     if wavelength_nm is None:
         seen = spectrum.visible
         return Constants(seen.n, seen.k, tuple(f"{preset.id}: {told}" for told in seen.warnings))
-    n, k = spectrum.n(wavelength_nm), spectrum.k(wavelength_nm)
+    n, k = spectrum.n_absolute(wavelength_nm), spectrum.k(wavelength_nm)
     warnings = () if k is not None else (f"{preset.id}: {UNKNOWN_K}",)
     k = np.zeros_like(n) if k is None else k
     for quantity, values, bounds in (("n", n, N_T), ("k", k, K_T)):
@@ -197,17 +195,3 @@ def material_constants(name: str, wavelength_nm: Array | None) -> Constants:
             )
             raise NotAllowed("wavelength_nm", at, allowed)
     return Constants(n, np.maximum(k, 0.0), warnings)
-
-
-def incident_constants(name: str, wavelength_nm: Array | None) -> Constants:
-    """n of a material in front over wavelengths; parameters and errors as of `material_constants`.
-
-    Raises
-    ------
-    NotAllowed
-        If it absorbs.
-    """
-    found = material_constants(name, wavelength_nm)
-    preset: Preset = default_catalog().get(name)
-    told = transparency_warnings(preset, float(found.k.max()))
-    return Constants(found.n, np.zeros_like(found.k), (*found.warnings, *told))

@@ -17,6 +17,8 @@ References
 ----------
 .. [1] CIE 015:2018, Colorimetry, 4th edition.
 .. [2] IEC 61966-2-1:1999, sections 4.2 and 5.
+.. [4] G. Sharma, W. Wu and E. N. Dalal, The CIEDE2000 color-difference formula, Color Res. Appl. 30
+   (2005) 21-30.
 .. [3] K. M. Lam, Metamerism and Colour Constancy, thesis, University of Bradford, 1985.
 """
 
@@ -221,6 +223,62 @@ def luminance(
 ) -> Array:
     """Luminous reflectance Y of reflectance spectra, shape (..., 471) to (...)."""
     return np.asarray(xyz(values, illuminant, observer)[..., 1])
+
+
+def lab(rgb: ArrayLike, observer: Observer = "cie1931_2deg") -> Array:
+    """CIELAB of linear sRGB, shape (..., 3), relative to its white; not clamped before.
+
+    Tristimulus values below 0, of colors that no light has, continue the linear foot.
+    """
+    back = np.linalg.inv(srgb_from_xyz(observer)).T
+    shares = np.asarray(rgb, dtype=np.float64) @ back / white("D65", observer)
+    foot = (841.0 / 108.0) * shares + 4.0 / 29.0
+    f = np.where(shares > (6.0 / 29.0) ** 3, np.cbrt(shares), foot)
+    L = 116.0 * f[..., 1] - 16.0
+    a, b = 500.0 * (f[..., 0] - f[..., 1]), 200.0 * (f[..., 1] - f[..., 2])
+    return np.stack([L, a, b], axis=-1)
+
+
+def delta_e_2000(first: ArrayLike, second: ArrayLike) -> Array:
+    """CIEDE2000 between colors in CIELAB, shapes (..., 3) to (...), with k_L = k_C = k_H = 1 [4]_.
+
+    Examples
+    --------
+    The first pair of the published test data:
+
+    >>> round(float(delta_e_2000([50.0, 2.6772, -79.7751], [50.0, 0.0, -82.7485])), 4)
+    2.0425
+    """
+    (L1, a1, b1), (L2, a2, b2) = (
+        np.moveaxis(np.asarray(color, dtype=np.float64), -1, 0) for color in (first, second)
+    )
+    chroma7 = (0.5 * (np.hypot(a1, b1) + np.hypot(a2, b2))) ** 7
+    stretch = 1.0 + 0.5 * (1.0 - np.sqrt(chroma7 / (chroma7 + 25.0**7)))
+    a1, a2 = stretch * a1, stretch * a2
+    C1, C2 = np.hypot(a1, b1), np.hypot(a2, b2)
+    h1, h2 = (np.degrees(np.arctan2(b, a)) % 360.0 for a, b in ((a1, b1), (a2, b2)))
+    gray = C1 * C2 == 0.0
+    turn = (h2 - h1 + 180.0) % 360.0 - 180.0
+    turn = np.where(gray, 0.0, np.where(turn == -180.0, 180.0, turn))
+    dL, dC = L2 - L1, C2 - C1
+    dH = 2.0 * np.sqrt(C1 * C2) * np.sin(np.radians(0.5 * turn))
+    L, C = 0.5 * (L1 + L2), 0.5 * (C1 + C2)
+    apart = np.abs(h1 - h2) > 180.0
+    h = 0.5 * (h1 + h2 + np.where(apart, np.where(h1 + h2 < 360.0, 360.0, -360.0), 0.0))
+    h = np.where(gray, h1 + h2, h)
+    T = (
+        1.0
+        - 0.17 * np.cos(np.radians(h - 30.0))
+        + 0.24 * np.cos(np.radians(2.0 * h))
+        + 0.32 * np.cos(np.radians(3.0 * h + 6.0))
+        - 0.20 * np.cos(np.radians(4.0 * h - 63.0))
+    )
+    S_L = 1.0 + 0.015 * (L - 50.0) ** 2 / np.sqrt(20.0 + (L - 50.0) ** 2)
+    S_C, S_H = 1.0 + 0.045 * C, 1.0 + 0.015 * C * T
+    R_C = 2.0 * np.sqrt(C**7 / (C**7 + 25.0**7))
+    R_T = -R_C * np.sin(np.radians(60.0 * np.exp(-(((h - 275.0) / 25.0) ** 2))))
+    L_, C_, H_ = dL / S_L, dC / S_C, dH / S_H
+    return np.asarray(np.sqrt(L_ * L_ + C_ * C_ + H_ * H_ + R_T * C_ * H_))
 
 
 def apply_gamut(rgb: ArrayLike, policy: Gamut) -> Array:

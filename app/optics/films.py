@@ -170,7 +170,8 @@ def _refuse_oblique(stack: Stack, incidence: Incidence) -> None:
             raise NotAllowed("theta_i_deg", float(degrees.flat[0]), NORMAL_ALONE)
 
 
-def _whole(sheets: Sheets, incidence: Incidence) -> Group:
+def whole_group(sheets: Sheets, incidence: Incidence) -> Group:
+    """All layers between the two media, none of which is incoherent."""
     kappa_i = sheets.kappa_i
     front = incident_medium(incidence, float(kappa_i) if kappa_i.ndim == 0 else kappa_i)
     back = medium(sheets.substrate, incidence)
@@ -183,7 +184,7 @@ def _powers(sheets: Sheets, incidence: Incidence) -> tuple[Array, ...]:
         s, p = _incoherent(sheets, incidence, losses=False)
         Rs, Rp, Ts, Tp = s.R, p.R, s.T, p.T
     else:
-        group = _whole(sheets, incidence)
+        group = whole_group(sheets, incidence)
         (Rs, Ts), (Rp, Tp) = (_parts(each, incidence) for each in passages(group, incidence))
     return tuple(np.asarray(part) for part in (0.5 * (Rs + Rp), Rs, Rp, Ts, Tp))
 
@@ -191,7 +192,7 @@ def _powers(sheets: Sheets, incidence: Incidence) -> tuple[Array, ...]:
 def _reflectances(sheets: Sheets, incidence: Incidence) -> tuple[Array, ...]:
     if any(sheet.incoherent for sheet in sheets.between):
         return tuple(np.asarray(each.R) for each in _incoherent(sheets, incidence, losses=False))
-    found = passages(_whole(sheets, incidence), incidence)
+    found = passages(whole_group(sheets, incidence), incidence)
     return tuple(np.asarray(_reflected(each, _incident(each, incidence))) for each in found)
 
 
@@ -233,7 +234,7 @@ def _absorbed(sheets: Sheets, incidence: Incidence) -> tuple[Array, ...]:
     if any(sheet.incoherent for sheet in sheets.between):
         found = _incoherent(sheets, incidence, losses=True)
         return tuple(np.asarray(A) for each in found for A in each.A)
-    group = _whole(sheets, incidence)
+    group = whole_group(sheets, incidence)
     return tuple(
         np.asarray(_entry(passage) * power / maximum(passage.S2, NOTHING))
         for passage in passages(group, incidence, losses=True)
@@ -242,7 +243,7 @@ def _absorbed(sheets: Sheets, incidence: Incidence) -> tuple[Array, ...]:
 
 
 def _amplitudes(sheets: Sheets, incidence: Incidence) -> tuple[Complex, ...]:
-    group = _whole(sheets, incidence)
+    group = whole_group(sheets, incidence)
     found: list[Complex] = []
     for passage in passages(group, incidence, fields=True):
         back = scaled(conjugate(passage.S), 1.0 / maximum(passage.S2, NOTHING))
@@ -315,7 +316,7 @@ class _Face(NamedTuple):
 
 def _incoherent(sheets: Sheets, incidence: Incidence, *, losses: bool) -> list[_Powers]:
     """Powers where some layers are incoherent, in s and in p polarization."""
-    whole = _whole(sheets, incidence)
+    whole = whole_group(sheets, incidence)
     between = sheets.between
     thick = [place for place, sheet in enumerate(between) if sheet.incoherent]
     media = [whole.front]

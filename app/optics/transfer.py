@@ -166,30 +166,11 @@ def passages(
     losses
         Whether it is wanted what each layer absorbs.
     """
-    front, sheets, back, boundary = group
-    c, s = incidence.numbers
-    s2 = s * s
-    contrast, squares = _contrast(front, back), times(front.square, back.square)
-    together, den = times(front.q, back.q), plus(front.q, back.q)
-    difference: Pair = together[0] - s2, together[1]
-    if boundary is not None and not back.strong:
-        null = brewster_null(boundary, incidence)
-        careful = over(null, plus(together, (s2, 0.0)))
-        plain = boundary.absorbs_strongly
-        difference = _either(plain, difference, careful) if anywhere(plain) else careful
-    if not back.dense and anywhere(c == 0.0):
-        den = maximum(den[0], _SMALLEST_START), den[1]
-    # Re y = Re q (|q|^2 + s^2) / |N|^4 for p
-    flux_s = product(back.q[0], square_of(den))
-    flux_p = flux_s * ((back.q2 + s2) * (1.0 / square_of(back.square)))
-    end_p = times(over(contrast, squares), difference)
+    front, sheets, _, _ = group
+    s2 = incidence.numbers[1] * incidence.numbers[1]
     quiet = front.square is ONE and not fields and not losses
     quiet = quiet and all(sheet.medium.is_lossless for sheet in sheets)
-    y_p = front.q if front.square is ONE else over(front.q, front.square)
-    tracks = (
-        _Track(scaled(contrast, -1.0), den, flux_s, front.q),
-        _Track(end_p, den, flux_p, y_p),
-    )
+    tracks = _starts(group, incidence)
     for place, sheet in enumerate(reversed(sheets), start=1):
         layer = medium(sheet.medium, incidence)
         turn = _turn(layer, sheet.phase, fields or losses)
@@ -206,6 +187,85 @@ def passages(
             track.step(turn, coefficients, only_D=only_D, scale=scale)
     first, second = (track.arrived(quiet) for track in tracks)
     return first, second
+
+
+class Pencil(NamedTuple):
+    """D and S at the front as functions of the phase of one layer, in one polarization.
+
+    D = cos(delta) D_cos + sin(delta)/q D_sin, and S likewise.
+    """
+
+    D_cos: Pair
+    D_sin: Pair
+    S_cos: Pair
+    S_sin: Pair
+
+
+def pencils(group: Group, place: int, incidence: Incidence) -> tuple[Medium, Pencil, Pencil]:
+    """Leave the thickness of one layer open: the layer's medium, and a pencil each of s and p.
+
+    Parameters
+    ----------
+    group
+        The layers and what is in front of and behind them.
+    place
+        Of the layer whose thickness varies, from 0 at the front.
+    incidence
+        The directions.
+    """
+    front, sheets = group.front, group.sheets
+    s2 = incidence.numbers[1] * incidence.numbers[1]
+
+    def passed(tracks: Sequence[_Track], between: Sequence[Sheet]) -> None:
+        for sheet in reversed(between):
+            layer = medium(sheet.medium, incidence)
+            turn = _turn(layer, sheet.phase, signed=True)
+            of_layer = _coefficients(front, layer, turn.S, s2)
+            for i, track in enumerate(tracks):
+                track.step(turn, of_layer[i % 2], only_D=False, scale=False)
+
+    behind = _starts(group, incidence)
+    passed(behind, sheets[place + 1 :])
+    open_layer = medium(sheets[place].medium, incidence)
+    sines = []
+    for track, of_layer in zip(
+        behind, _coefficients(front, open_layer, (1.0, 0.0), s2), strict=True
+    ):
+        D = plus(times(of_layer.advance, track.D), times(of_layer.back, track.E))
+        E = minus(times(of_layer.Y, track.D), times(of_layer.advance, track.E))
+        none: Pair = 0.0, 0.0
+        sines.append(_Track(plus_i(none, D), plus_i(none, E), 0.0, track.y))
+    tracks = (*behind, *sines)
+    passed(tracks, sheets[:place])
+    ends = [(track.D, minus(scaled(times(track.y, track.E), 2.0), track.D)) for track in tracks]
+    of_s, of_p = (Pencil(ends[i][0], ends[i + 2][0], ends[i][1], ends[i + 2][1]) for i in (0, 1))
+    return open_layer, of_s, of_p
+
+
+def _starts(group: Group, incidence: Incidence) -> tuple[_Track, _Track]:
+    """The waves that leave at the back, in s and in p polarization."""
+    front, _, back, boundary = group
+    c, s = incidence.numbers
+    s2 = s * s
+    contrast, squares = _contrast(front, back), times(front.square, back.square)
+    together, den = times(front.q, back.q), plus(front.q, back.q)
+    difference: Pair = together[0] - s2, together[1]
+    if boundary is not None and not back.strong:
+        null = brewster_null(boundary, incidence)
+        careful = over(null, plus(together, (s2, 0.0)))
+        plain = boundary.absorbs_strongly
+        difference = _either(plain, difference, careful) if anywhere(plain) else careful
+    if not back.dense and anywhere(c == 0.0):
+        den = maximum(den[0], _SMALLEST_START), den[1]
+    # Re y = Re q (|q|^2 + s^2) / |N|^4 for p
+    flux_s = product(back.q[0], square_of(den))
+    flux_p = flux_s * ((back.q2 + s2) * (1.0 / square_of(back.square)))
+    end_p = times(over(contrast, squares), difference)
+    y_p = front.q if front.square is ONE else over(front.q, front.square)
+    return (
+        _Track(scaled(contrast, -1.0), den, flux_s, front.q),
+        _Track(end_p, den, flux_p, y_p),
+    )
 
 
 class _Turn(NamedTuple):

@@ -1,0 +1,157 @@
+"""Colors of films over thickness and angle, from the whole spectrum."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import numpy as np
+
+from app.answers.answer import Rows, SentAs, Table, Values, answer
+from app.answers.film_media import FilmMedia, MediaFacts, swept_place
+from app.answers.materials.about import refuse_more_than
+from app.materials.appearance import DAYLIGHT, Viewing
+from app.optics.color import encode_srgb, lab, srgb_weights
+from app.optics.film_color import UNRESOLVED, is_resolved, step_nm, swept_colors
+from app.optics.incidence import Incidence
+from app.optics.parameters import Array
+from app.optics.stack import Stack
+
+MOST_INCOHERENT = 4096
+"""Cells where a layer is incoherent, each of which is a whole spectrum."""
+
+Colors = Annotated[Array, SentAs(list[list[tuple[float, float, float]]])]
+"""A row each thickness, a color each angle."""
+
+
+@answer
+class ModelColors:
+    """Colors by one model, a row each thickness, an angle each column."""
+
+    model: str
+    linear_srgb: Colors
+    """Not clamped: a channel below 0 or above 1 is a color that sRGB cannot show."""
+    lab: Colors
+    """CIELAB, of the colors as they are."""
+    hex: list[list[str]]
+    """sRGB, each channel cut to 0 and 1."""
+    delta_e: Rows | None
+    """CIEDE2000 against `exact`; null for exact itself."""
+
+
+@answer
+class FilmColors:
+    """Colors of films over the thickness of one layer and the angle."""
+
+    media: MediaFacts
+    layer: int
+    """The layer whose thickness varies, counted from the incident side."""
+    thickness_nm: Values
+    theta_i_deg: Values
+    illuminant: str
+    observer: str
+    adaptation: str
+    step_nm: int
+    """Distance of the wavelengths at which R was evaluated; the integral is over every nanometer."""
+    colors: list[ModelColors]
+    warnings: list[str]
+
+    def table(self) -> Table:
+        """Lay out a row each cell."""
+        thickness, angle = np.meshgrid(self.thickness_nm, self.theta_i_deg, indexing="ij")
+        columns: dict[str, Any] = {
+            "thickness_nm": thickness.ravel(),
+            "theta_i_deg": angle.ravel(),
+        }
+        for found in self.colors:
+            channels = (("red", "green", "blue"), found.linear_srgb), (("L", "a", "b"), found.lab)
+            for names, values in channels:
+                flat = values.reshape(-1, 3)
+                columns |= {f"{found.model}.{n}": flat[:, i] for i, n in enumerate(names)}
+            columns[f"{found.model}.hex"] = [cell for row in found.hex for cell in row]
+        return Table(columns, "film_colors.csv")
+
+
+def film_colors(
+    media: FilmMedia,
+    layer: int,
+    thickness_nm: Array,
+    theta_i_deg: Array,
+    viewing: Viewing = DAYLIGHT,
+) -> FilmColors:
+    """Evaluate colors over the thickness of one layer and the angle.
+
+    Parameters
+    ----------
+    media
+        The two media and the layers.
+    layer
+        Which layer's thickness varies, from 1 at the incident side.
+    thickness_nm, theta_i_deg
+        Thicknesses and angles.
+    viewing
+        Under which light, by which observer.
+
+    Raises
+    ------
+    OpticsError
+        If there is no such layer, or a medium has no spectrum.
+    """
+    place = swept_place(media.layers, layer)
+    cells = thickness_nm.size * theta_i_deg.size
+    refuse_more_than("thickness_nm", thickness_nm.size, cells, "colors")
+    if any(film.incoherent for film in media.layers):
+        what = "colors of films with an incoherent layer"
+        refuse_more_than("thickness_nm", thickness_nm.size, cells, what, MOST_INCOHERENT)
+    whole, warnings = media.visible()
+    optical = optical_thickness(whole, place, float(thickness_nm.max()))
+    step = step_nm(optical)
+    if not is_resolved(optical):
+        warnings = [*warnings, UNRESOLVED]
+    stack = whole if step == 1 else media.visible(step)[0]
+    incidence = Incidence.from_degrees(theta_i_deg)
+    linear = swept_colors(stack, place, thickness_nm, incidence, srgb_weights(*viewing), step)
+    return FilmColors(
+        media=media.facts(),
+        layer=layer,
+        thickness_nm=thickness_nm,
+        theta_i_deg=theta_i_deg,
+        illuminant=viewing.illuminant,
+        observer=viewing.observer,
+        adaptation=viewing.adaptation,
+        step_nm=step,
+        colors=[model_colors("exact", linear, viewing)],
+        warnings=warnings,
+    )
+
+
+def model_colors(
+    model: str, linear: Array, viewing: Viewing, delta_e: Array | None = None
+) -> ModelColors:
+    """Describe colors of shape (thicknesses, angles, 3)."""
+    return ModelColors(
+        model=model,
+        linear_srgb=linear,
+        lab=lab(linear, viewing.observer),
+        hex=hex_rows(linear),
+        delta_e=delta_e,
+    )
+
+
+def hex_rows(linear: Array) -> list[list[str]]:
+    """Write colors as `#rrggbb`, each channel cut to 0 and 1."""
+    steps = np.rint(255.0 * encode_srgb(np.clip(linear, 0.0, 1.0))).astype(np.uint8)
+    text = steps.tobytes().hex()
+    cells = ["#" + text[at : at + 6] for at in range(0, len(text), 6)]
+    columns = linear.shape[1]
+    return [cells[at : at + columns] for at in range(0, len(cells), columns)]
+
+
+def optical_thickness(stack: Stack, place: int, thickness_nm: float) -> float:
+    """Sum of n d of the coherent layers, of which one has another thickness."""
+    return float(
+        sum(
+            layer.n.max() * (thickness_nm if at == place else layer.thickness_nm.max())
+            for at, layer in enumerate(stack.layers)
+            if not layer.incoherent
+        )
+    )
