@@ -96,4 +96,7 @@ def test_curves_and_maps_in_air_take_the_catalog_index(ask: Ask) -> None:
 def test_steel_says_which_steel(ask: Ask) -> None:
     told = json_of(ask("/snell", material="steel"))["interface"]["material"]
     assert (told["id"], told["name"]) == ("stainless", "Stainless steel, austenitic")
-    assert "Carbon steel was not measured here: take Fe" in json_of(ask("/materials/steel"))["note"]
+    assert (
+        "Carbon steel is not in the catalog; it is mostly iron: see Fe."
+        in json_of(ask("/materials/steel"))["note"]
+    )

@@ -71,6 +71,20 @@ def test_shows_the_catalog_and_gold(quiet_page: Page) -> None:
     assert link(page) == {"view": "materials"}
 
 
+def test_glass_has_an_index_in_air_and_one_in_vacuum(quiet_page: Page) -> None:
+    page = opened(quiet_page, "&preset=BK7")
+    expect(number(page, "n")).to_have_text("1.51680")
+    expect(number(page, "n_absolute")).to_have_text("1.51722")
+    expect(number(page, "F0")).to_have_text("0.0422189")
+    expect(page.locator(".constants dt").nth(0)).to_contain_text("in air")
+    expect(page.locator(".constants dt").nth(1)).to_contain_text("in vacuum")
+    expect(page.locator(".two-schlicks h3").first).to_contain_text("1.51722 in vacuum")
+    expect(page.locator(".origin")).to_contain_text("wavelengths in air")
+    page.goto("/?view=materials&preset=Au")
+    expect(page.locator(".origin")).to_contain_text("not stated: n counts as absolute")
+    expect(number(page, "n_absolute")).to_have_count(0)
+
+
 def test_swatches_are_those_of_the_policy_that_is_named(quiet_page: Page) -> None:
     page = opened(quiet_page)
     gold = page.locator('tr[data-id="Au"] .swatch')

@@ -4,7 +4,7 @@ import { known, spanned, valueAt, within } from "../../static/js/materials/band.
 import { COLUMNS, sortedPresets } from "../../static/js/materials/columns.js";
 import { materialFields, wavelengths } from "../../static/js/materials/fields.js";
 import { queries, restCalls, rivalsOf, shown } from "../../static/js/materials/queries.js";
-import { citation, condition } from "../../static/js/materials/source.js";
+import { citation, condition, reference } from "../../static/js/materials/source.js";
 import { limits, shortName } from "../../static/js/materials/spectrum.js";
 import {
   stretch,
@@ -245,6 +245,16 @@ test("the ends of the data are marked where the axis shows them", () => {
   ]);
   const both = { n_range_nm: [300, 760], k_range_nm: [300, 760] };
   assert.deepEqual(pick(limits(both, [360, 830]), "label"), ["to 760\u00a0nm"]);
+});
+
+test("what n was measured against is said, and where nobody says", () => {
+  const glass = reference({ relative_to: "air", wavelength_in: "air" });
+  assert.equal(glass, "air: what is computed takes n times air’s index; wavelengths in air");
+  assert.equal(
+    reference({ relative_to: "vacuum", wavelength_in: null }),
+    "vacuum; wavelengths not said to be in air or vacuum",
+  );
+  assert.match(reference({ relative_to: null }), /^not stated: n counts as absolute/);
 });
 
 test("conditions and citations read as sentences", () => {
