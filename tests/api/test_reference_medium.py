@@ -100,3 +100,14 @@ def test_steel_says_which_steel(ask: Ask) -> None:
         "Carbon steel is not in the catalog; it is mostly iron: see Fe."
         in json_of(ask("/materials/steel"))["note"]
     )
+
+
+def test_a_film_of_the_glass_it_lies_on_is_not_seen(ask: Ask) -> None:
+    query = {"incident": "air", "wavelength_nm": D_LINE, "layers": "BK7:123"}
+    told = json_of(ask("/snell", material="BK7", theta_i_deg=0, **query))
+    assert told["R"] == pytest.approx(0.0421646, abs=5e-8)
+    # A quarter wave of 1.5168 in air before a glass of n, by the closed form of a quarter wave.
+    thickness = D_LINE / (4.0 * N_BK7 * AIR)
+    query |= {"layers": f"BK7:{thickness!r}"}
+    told = json_of(ask("/snell", n_t=2.0 * AIR, theta_i_deg=0, **query))
+    assert told["R"] == pytest.approx(normal(N_BK7**2 / 2.0), abs=1e-7)
