@@ -33,11 +33,12 @@ class Zero:
         """Solve for the angle in degrees."""
         low, high = self.low(eta, kappa), self.high(eta, kappa)
         function = partial(self.function, eta, kappa)
-        x = brentq(function, low, high, xtol=1e-300, rtol=_LEAST_RTOL)
+        x = brentq(function, low, high, xtol=1e-300, rtol=_LEAST_RTOL, maxiter=_MOST_STEPS)
         return math.degrees(math.atan(math.sqrt(self.tangent2(eta, kappa, x))))
 
 
 _LEAST_RTOL = 4.0 * float(np.finfo(float).eps)
+_MOST_STEPS = 2000  # a zero near 1e-300, where hardly anything absorbs, is halved down to
 
 
 @worked_out_once
