@@ -79,8 +79,9 @@ FORMULAS = (
         id="albedo.reciprocity",
         title="From the denser side",
         latex=r"1-A(1/\eta)=\eta^2\left(1-A(\eta)\right)",
-        reference="W. G. Egan and T. W. Hilgeman, Optical Properties of Inhomogeneous Materials (1979); "
-        "E. d'Eon, A Hitchhiker's Guide to Multiple Scattering, Fresnel Boundaries, 2019",
+        reference="F. Stern, Transmission of isotropic radiation across an interface between two "
+        "dielectrics, Appl. Opt. 3, 111 (1964), doi:10.1364/AO.3.000111; W. G. Egan and T. W. Hilgeman, "
+        "Optical Properties of Inhomogeneous Materials (1979)",
         validity="Dielectrics, for each polarization: what leaves a dense medium is limited to the cone "
         "within the critical angle, and the rest is reflected inside.",
         accuracy=(rounding(1e-14, "A", "eta from 0.001 to 1 - 1e-9", _35_DIGITS),),
