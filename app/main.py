@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import logging
+import sys
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from typing import Any
 
 from fastapi import APIRouter, FastAPI
@@ -31,6 +35,7 @@ from app.api import (
 )
 from app.api.materials import reading
 from app.api.table import RouteTable
+from app.figures.pictures import Pictures
 from app.http import problems
 from app.http.bounds import Bounded
 from app.http.cache import AnswerCache
@@ -41,6 +46,7 @@ from app.page.files import Page, document_headers
 from app.server.drain import Drain
 from app.server.memory import share_one_heap
 from app.server.observe.access_log import AccessLog
+from app.server.observe.lines import Lines
 from app.server.observe.metrics import Metrics
 from app.server.observe.middleware import Observed
 from app.server.observe.route import metrics_router
@@ -88,14 +94,25 @@ class _Application(FastAPI):
         app = CommonHeaders(
             app, api=(f"{PREFIX}/", "/openapi.json", f"/{_KERNELS}"), documents=document_headers
         )
-        access_log = AccessLog() if settings.access_log else None
-        return Observed(drain.around(app), self.state.metrics, access_log)
+        return Observed(drain.around(app), self.state.metrics, self.state.access_log)
 
     def openapi(self) -> dict[str, Any]:
         """Describe the API."""
         if self.openapi_schema is None:
             super().openapi()["components"]["schemas"] |= problems.schemas()
         return super().openapi()
+
+
+@asynccontextmanager
+async def _running(app: FastAPI) -> AsyncIterator[None]:
+    """Once the last request is answered, or given up, nothing that was begun holds the process."""
+    yield
+    for closed in (app.state.pictures, app.state.pool, app.state.drawing):
+        closed.close()
+    if app.state.access_log is not None:
+        app.state.access_log.flush()
+    for handler in logging.getLogger().handlers:
+        handler.flush()
 
 
 def create_app(settings: Settings | None = None, registry: Registry | None = None) -> FastAPI:
@@ -118,17 +135,26 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         license_info={"name": "MIT", "identifier": "MIT"},
         docs_url=None,  # the page at /docs is served with the other files, from this server alone
         redoc_url=None,
+        lifespan=_running,
         responses={
             "4XX": problems.problem_as("What is wrong with the request, and what would be right."),
             "5XX": problems.problem_as("The server failed, or has no time for this now."),
         },
     )
     app.state.settings = settings
-    app.state.metrics = Metrics()
+    app.state.metrics = metrics = Metrics()
+    app.state.access_log = None
+    if settings.access_log:
+        app.state.access_log = AccessLog(Lines(sys.stdout.fileno(), metrics.dropped))
     app.state.drain = drain = Drain(settings.drain_s)
     app.state.pool = pool = Pool(settings.threads, settings.max_waiting, settings.timeout_s)
+    app.state.pictures = pictures = Pictures(settings.static_dir, settings.picture_timeout_s)
+    app.state.drawing = drawing = Pool(
+        1, settings.max_waiting, settings.timeout_s, name="pictures", settings="FRESNEL_MAX_WAITING"
+    )
     app.state.serving = Serving(
         pool,
+        drawing,
         max_samples=settings.max_samples,
         max_cells=settings.max_cells,
         max_age_s=settings.max_age_s,
@@ -137,7 +163,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         curves.router(registry),
         snell.router(),
         films.router(),
-        health.router(drain),
+        health.router(drain, pool),
         models.router(registry, settings.static_dir),
         errors.router(registry),
         recommend.router(registry),
@@ -153,7 +179,10 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         evaluate.router(registry, pool, settings.max_body_bytes),
     ]
     table = RouteTable(routers)
-    routers += [claims.router(table), figures.router(table, registry, settings.static_dir)]
+    routers += [
+        claims.router(table),
+        figures.router(table, registry, settings.static_dir, pictures),
+    ]
     app.state.table = RouteTable(routers)
     problems.install(app)
     for router in routers:

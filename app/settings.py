@@ -5,14 +5,15 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Literal
 
-from pydantic import Field
+from pydantic import Field, field_validator
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 
 def _static_dir() -> Path:
     """The page's files: inside the installed package, or beside it in a checkout."""
     here = Path(__file__).parent
-    return next(path for path in (here / "static", here.parent / "static") if path.is_dir())
+    places = (here / "static", here.parent / "static")
+    return next((path for path in places if path.is_dir()), places[0])
 
 
 PREFIX = "FRESNEL_"
@@ -23,7 +24,7 @@ class Settings(BaseSettings):
 
     model_config = SettingsConfigDict(env_prefix=PREFIX, extra="forbid", frozen=True)
 
-    host: str = Field("127.0.0.1", description="Address to listen on.")
+    host: str = Field("127.0.0.1", min_length=1, description="Address to listen on.")
     port: int = Field(8000, ge=0, le=65535, description="Port to listen on; 0 takes a free one.")
     http: Literal["auto", "h11", "httptools"] = Field(
         "auto",
@@ -52,6 +53,11 @@ class Settings(BaseSettings):
     max_waiting: int = Field(32, ge=0, description="How many large answers wait to be computed.")
     timeout_s: float = Field(
         30.0, gt=0.0, description="How long a large answer may take, waiting included, in seconds."
+    )
+    picture_timeout_s: float = Field(
+        20.0,
+        gt=0.0,
+        description="How long the browser may take for a picture before it is ended, in seconds.",
     )
     max_samples: int = Field(20_001, ge=2, description="Most angles of a curve.")
     max_cells: int = Field(250_000, ge=4, description="Most cells of a map.")
@@ -93,6 +99,13 @@ class Settings(BaseSettings):
         description="Host names that are answered for, separated by commas; *.example.org for all "
         "below one, * for all. Health and metrics are answered under any name.",
     )
+
+    @field_validator("static_dir")
+    @classmethod
+    def _has_the_page(cls, folder: Path) -> Path:
+        if not (folder / "index.html").is_file():
+            raise ValueError("there is no folder with the page's index.html")
+        return folder
 
 
 def without_effect(environment: Iterable[str]) -> list[str]:

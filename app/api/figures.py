@@ -25,12 +25,15 @@ from app.api import PREFIX
 from app.api.params import AngleQuery, preset_name
 from app.api.table import RouteTable
 from app.figures.look import Ground, Look
-from app.figures.render import MEDIA_TYPES, NoPictures, page, picture, policy
+from app.figures.pictures import NoPictures, PictureFailed, Pictures, Size
+from app.figures.render import MEDIA_TYPES, page, policy
+from app.http.problems import BadParameters
 from app.http.query import Count, LongQuery, Number, QueryModel
 from app.http.route import QueryRoute
 from app.http.writing import shown_as
 from app.optics.albedo import FITS, Fit
 from app.optics.registry import Model, Registry
+from app.server.pool import Overloaded
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -39,6 +42,10 @@ Format = Literal["json", "html", "svg", "png", "pdf"]
 
 # Of a picture for which no size is asked, in px.
 _WIDTH, _HEIGHT = 960, 600
+_SCALE = 2
+"""Dots a px, as screens have them today."""
+_MOST_DOTS = 16_000_000
+"""Of a PNG, for which the browser then takes some seconds and half a gigabyte."""
 
 
 class FigureQuery(LongQuery):
@@ -61,6 +68,34 @@ class FigureQuery(LongQuery):
         14.0, ge=6.0, le=60.0, allow_inf_nan=False, description="Size of the text in px."
     )
     caption: bool = Field(True, description="Write the sources and the request below the figure.")
+
+    @property
+    def is_picture(self) -> bool:
+        """Whether a browser draws it."""
+        return self.format not in ("json", "html")
+
+    @property
+    def picture_size(self) -> Size:
+        """How large a picture is to be."""
+        return Size(self.width or _WIDTH, self.height or _HEIGHT, _SCALE)
+
+    def refuse_beyond(self, max_samples: int, max_cells: int) -> None:
+        """Refuse pictures of too many dots, beside what is too much to compute.
+
+        Raises
+        ------
+        BadParameters
+            Naming what there is too much of.
+        """
+        super().refuse_beyond(max_samples, max_cells)
+        width, height, scale = self.picture_size
+        if self.format == "png" and width * height * scale**2 > _MOST_DOTS:
+            most = _MOST_DOTS // scale**2
+            message = (
+                f"width times height of a PNG is at most {most}, here {width * height}; "
+                "svg and pdf have no such bound"
+            )
+            raise BadParameters({"parameter": "width", "value": width, "message": message})
 
 
 class MaterialName(QueryModel):
@@ -176,7 +211,9 @@ def _sources(answer: Any, named: Mapping[str, Fit | Model]) -> list[str]:
     return [f"{name}: {source.rstrip('.')}." for name, source in sources]
 
 
-def router(table: RouteTable, registry: Registry, static_dir: Path) -> APIRouter:
+def router(
+    table: RouteTable, registry: Registry, static_dir: Path, pictures: Pictures
+) -> APIRouter:
     """Routes of the figures, drawn from the answers of `table` in the look of the page's files."""
     routes = APIRouter(route_class=QueryRoute, tags=["figures"])
     # Models last, for they are drawn.
@@ -201,7 +238,7 @@ def router(table: RouteTable, registry: Registry, static_dir: Path) -> APIRouter
         figure, request = make(answer, draw.Context(query, look, named)), _request(kind, query)
         figure.update_layout(meta={"request": request, "version": __version__})
         texts = [*_sources(answer, named), f"Fresnel Explorer {__version__}, {request}"]
-        width = query.width or _WIDTH
+        width = query.picture_size.width
         inside = query.caption and query.format != "html"
         columns = int((width - 40) / (0.41 * query.font_px))
         lines = [line for text in texts for line in wrap(text, columns)] if inside else []
@@ -217,11 +254,13 @@ def router(table: RouteTable, registry: Registry, static_dir: Path) -> APIRouter
             body = page(figure, kind.title, caption, look, static_dir)
             return Drawing(figure, body, form, headers)
         try:
-            size = (query.width or _WIDTH, query.height or _HEIGHT)
-            return Drawing(figure, picture(figure, form, size, static_dir), form, headers)
+            picture = pictures.draw(str(figure.to_json()), form, query.picture_size)
         except NoPictures as error:
             detail = f"format = {form} is not to be had here: {error}; json and html are"
             raise HTTPException(406, detail) from None
+        except PictureFailed as error:
+            raise Overloaded(str(error)) from None
+        return Drawing(figure, picture, form, headers)
 
     def add(kind: Kind) -> None:
         source, _ = table.find(kind.of.replace("{material}", "Au"))

@@ -9,7 +9,7 @@ from app import __version__
 from app.answers.answer import answer
 from app.http.route import QueryRoute
 from app.server.drain import Drain
-from app.server.pool import Overloaded
+from app.server.pool import Overloaded, Pool
 
 _LIBRARIES = {
     name: version(name) for name in ("fastapi", "numpy", "orjson", "pydantic", "scipy", "uvicorn")
@@ -38,8 +38,8 @@ class _NotKept(QueryRoute):
     lifetime = b"no-store"
 
 
-def router(drain: Drain) -> APIRouter:
-    """Routes about the server itself, ready unless `drain` says that it is about to stop."""
+def router(drain: Drain, pool: Pool) -> APIRouter:
+    """Routes about the server itself, ready unless it is about to stop or `pool` takes no more."""
     routes = APIRouter(route_class=_NotKept, tags=["server"])
 
     @routes.get("/health", summary="Is the server well?")
@@ -53,9 +53,12 @@ def router(drain: Drain) -> APIRouter:
 
     @routes.get("/health/ready", summary="Does it take requests?")
     def ready() -> Status:
-        """Answer 503 once the server was told to stop, while it still answers everything else."""
+        """Answer 503 once the server was told to stop, or has no time for large answers."""
         if drain.draining:
             raise Overloaded("the server is about to stop")
+        refusal = pool.refusal()
+        if refusal is not None:
+            raise Overloaded(refusal)
         return Status(status="ok")
 
     return routes

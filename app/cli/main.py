@@ -54,16 +54,23 @@ def serve(
     try:
         settings = Settings.model_validate({k: v for k, v in given.items() if v is not None})
     except ValidationError as error:
-        first = error.errors()[0]
-        hint = f"--{first['loc'][0]} or {PREFIX}{str(first['loc'][0]).upper()}"
-        raise typer.BadParameter(f"{first['input']!r}: {first['msg']}", param_hint=hint) from None
-    run.serve(
-        settings,
-        # Standard output is for the access log alone, where there is one.
-        announce=lambda url: typer.echo(
-            f"Fresnel Explorer {__version__} at {url}", err=settings.access_log
-        ),
-    )
+        for wrong in error.errors():
+            name = str(wrong["loc"][0])
+            option = f"--{name} or " if name in given else ""
+            value, message = wrong["input"], wrong["msg"].removeprefix("Value error, ")
+            typer.echo(f"Error: {option}{PREFIX}{name.upper()} = {value}: {message}", err=True)
+        raise typer.Exit(2) from None
+    try:
+        run.serve(
+            settings,
+            # Standard output is for the access log alone, where there is one.
+            announce=lambda url: typer.echo(
+                f"Fresnel Explorer {__version__} at {url}", err=settings.access_log
+            ),
+        )
+    except run.CannotServe as error:
+        typer.echo(f"Error: {error}", err=True)
+        raise typer.Exit(1) from None
 
 
 cli.command()(evaluate)

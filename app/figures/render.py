@@ -1,15 +1,14 @@
-"""A drawn figure as bytes: JSON, a page of its own, or a picture."""
+"""A drawn figure as a page of its own, and what all forms of figures share."""
 
 from __future__ import annotations
 
 import base64
 import html
-import threading
 from collections.abc import Sequence
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from app.figures.look import FACE, Look
 
@@ -31,11 +30,6 @@ _DRAW = (
     "Plotly.newPlot('plot', figure.data, figure.layout, "
     "{responsive: true, displaylogo: false, showSendToCloud: false});"
 )
-_BROWSER = threading.Lock()
-
-
-class NoPictures(Exception):
-    """Pictures cannot be made here; the message says what is missing."""
 
 
 def _vendored(static_dir: Path, pattern: str) -> Path:
@@ -64,6 +58,11 @@ def _parts(static_dir: Path) -> tuple[str, str, str]:
         ]
     )
     return bundle, f"data:font/woff2;base64,{font}", policy
+
+
+def bundle(static_dir: Path) -> Path:
+    """Plotly's script."""
+    return _vendored(static_dir, _BUNDLE)
 
 
 def policy(static_dir: Path) -> str:
@@ -107,27 +106,3 @@ p {{ margin: 0 16px 12px; overflow-wrap: anywhere }}
 </body>
 </html>
 """.encode()
-
-
-def picture(figure: go.Figure, form: str, size: tuple[int, int], static_dir: Path) -> bytes:
-    """Draw a picture in a browser without a window, one at a time.
-
-    Raises
-    ------
-    NoPictures
-        If Kaleido or the browser is missing, or the browser fails.
-    """
-    try:
-        import kaleido
-    except ImportError:
-        raise NoPictures("the package kaleido is not installed (extra `figures`)") from None
-    options: dict[str, Any] = {"format": form, "width": size[0], "height": size[1], "scale": 2}
-    bundle = str(_vendored(static_dir, _BUNDLE))
-    try:
-        with _BROWSER:
-            drawn: bytes = kaleido.calc_fig_sync(
-                figure.to_plotly_json(), options, kopts={"plotlyjs": bundle, "mathjax": False}
-            )
-    except Exception as error:  # whatever a browser that is missing or broken makes it raise
-        raise NoPictures(f"no browser drew it: {type(error).__name__}") from error
-    return drawn

@@ -48,6 +48,11 @@ class QueryModel(BaseModel):
         return False
 
     @property
+    def is_picture(self) -> bool:
+        """Whether a browser draws the answer, for which nothing else waits."""
+        return False
+
+    @property
     def lasts(self) -> bool:
         """Whether many ask for just this, so that it is compressed thoroughly."""
         return False

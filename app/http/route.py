@@ -90,7 +90,9 @@ class QueryRoute(APIRoute):
             if query.takes_long:
                 try:
                     key = scope["path"], scope["query_string"]
-                    return await serving.shared(key, work, request.receive)
+                    return await serving.shared(
+                        key, work, request.receive, is_picture=query.is_picture
+                    )
                 except ClientGone:
                     return Unsent()
             return work()

@@ -71,21 +71,26 @@ class Serving:
     ----------
     pool
         Where large answers are computed.
+    drawing
+        Where pictures are drawn, one after the other.
     max_samples, max_cells
         Most angles of a curve and cells of a map.
     max_age_s
         How long caches elsewhere may keep an answer.
     """
 
-    def __init__(self, pool: Pool, *, max_samples: int, max_cells: int, max_age_s: int) -> None:
+    def __init__(
+        self, pool: Pool, drawing: Pool, *, max_samples: int, max_cells: int, max_age_s: int
+    ) -> None:
         self.max_samples = max_samples
         self.max_cells = max_cells
         self._pool = pool
+        self._drawing = drawing
         self.lifetime = b"public, max-age=%d" % max_age_s
         self._under_way: dict[Hashable, _Shared] = {}
 
     async def shared(
-        self, key: Hashable, work: Callable[[], Response], receive: Receive
+        self, key: Hashable, work: Callable[[], Response], receive: Receive, *, is_picture: bool
     ) -> Response:
         """Compute in a thread, once for all who ask for the same at the same time.
 
@@ -98,7 +103,8 @@ class Serving:
         """
         shared = self._under_way.get(key)
         if shared is None:
-            task = asyncio.create_task(self._pool.run(work))
+            pool = self._drawing if is_picture else self._pool
+            task = asyncio.create_task(pool.run(work))
             shared = self._under_way[key] = _Shared(task)
             task.add_done_callback(lambda _: self._forget(key, shared))
         shared.waiting += 1

@@ -3,19 +3,29 @@
 import contextlib
 import ipaddress
 import os
+import shutil
+import signal
+import socket
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
-from typing import Any, Literal
+from functools import partial
+from multiprocessing import parent_process
+from typing import Any, Literal, NoReturn
 
 import uvicorn
-from uvicorn.supervisors import Multiprocess
 
+from app.server.observe.lines import log_errors
 from app.server.observe.metrics import SHARED
+from app.server.parent import when_parent_is_gone
+from app.server.workers import Supervisor
 from app.settings import Settings
 
-_UNRESPONSIVE_S = 30
-"""Time after which a worker that does not even answer its supervisor is replaced."""
+_APP = "app.main:create_app"
+
+
+class CannotServe(Exception):
+    """The server cannot start as it is told to; the message says why."""
 
 
 def serve(settings: Settings, announce: Callable[[str], None]) -> None:
@@ -30,18 +40,80 @@ def serve(settings: Settings, announce: Callable[[str], None]) -> None:
         Where to listen, with how many workers, how to stop. The workers themselves read theirs from
         the environment.
     announce
-        Called with the URL once the port is taken.
+        Called with the URL once it is answered at.
+
+    Raises
+    ------
+    CannotServe
+        If the address is not to be had, or there is nowhere to write what has to be written.
     """
+    if settings.access_log and sys.stdout is None:
+        raise CannotServe("FRESNEL_ACCESS_LOG: there is no standard output to write it to")
     allow_open_files(settings.max_connections)
-    config = configuration("app.main:create_app", settings, factory=True)
-    with contextlib.closing(config.bind_socket()) as bound, contextlib.suppress(KeyboardInterrupt):
+    log_errors()
+    with contextlib.closing(_bind(settings)) as bound:
         name = f"[{settings.host}]" if ":" in settings.host else settings.host
-        announce(f"http://{name}:{bound.getsockname()[1]}")
+        listening = partial(announce, f"http://{name}:{bound.getsockname()[1]}")
         if settings.workers == 1:
-            uvicorn.Server(config).run(sockets=[bound])
-            return
+            _answer(settings, bound, _once(listening))
+            _end()
         with _shared_metrics():
-            Multiprocess(config, sockets=[bound]).run()
+            stop_s = settings.drain_s + settings.grace_s
+            work = partial(_work, settings)
+            status = Supervisor(work, bound, settings.workers, stop_s).run(listening)
+        if status:
+            sys.exit(status)
+
+
+def _bind(settings: Settings) -> socket.socket:
+    """Take the port; it is listened on once the application is ready."""
+    bound = socket.socket(socket.AF_INET6 if ":" in settings.host else socket.AF_INET)
+    bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        bound.bind((settings.host, settings.port))
+    except OSError as error:
+        bound.close()
+        where = f"FRESNEL_HOST = {settings.host}, FRESNEL_PORT = {settings.port}"
+        raise CannotServe(f"{where}: {error.strerror or error}") from None
+    return bound
+
+
+def _answer(settings: Settings, bound: socket.socket, tick: Callable[[], None]) -> None:
+    """Answer at a socket; `tick` is called every second from when it is listened on."""
+
+    async def notify() -> None:
+        tick()
+
+    told: dict[str, Any] = {"callback_notify": notify, "timeout_notify": 1}
+    server = uvicorn.Server(configuration(_APP, settings, factory=True, **told))
+    with contextlib.suppress(KeyboardInterrupt):
+        server.run(sockets=[bound])
+
+
+def _end() -> NoReturn:
+    """End the process without waiting for threads that compute what nobody waits for any more."""
+    os._exit(0)
+
+
+def _once(do: Callable[[], None]) -> Callable[[], None]:
+    waiting = [do]
+
+    def first() -> None:
+        if waiting:
+            waiting.pop()()
+
+    return first
+
+
+def _work(settings: Settings, bound: socket.socket, send_word: Callable[[], None]) -> None:
+    """Answer in a worker's process, and stop when its supervisor is gone."""
+    log_errors()
+    when_parent_is_gone(lambda: os.kill(os.getpid(), signal.SIGINT))
+    _answer(settings, bound, send_word)
+    supervisor = parent_process()
+    if supervisor is not None and not supervisor.is_alive():
+        shutil.rmtree(os.environ[SHARED], ignore_errors=True)  # which nobody else does then
+    _end()
 
 
 def configuration(app: Any, settings: Settings, **options: Any) -> uvicorn.Config:
@@ -59,7 +131,6 @@ def configuration(app: Any, settings: Settings, **options: Any) -> uvicorn.Confi
     of_settings: dict[str, Any] = {
         "host": settings.host,
         "port": settings.port,
-        "workers": settings.workers,
         "http": parser(settings),
         # What a client may send before the application sees any of it.
         "h11_max_incomplete_event_size": settings.max_target_bytes + settings.max_header_bytes,
@@ -67,10 +138,10 @@ def configuration(app: Any, settings: Settings, **options: Any) -> uvicorn.Confi
         "limit_concurrency": settings.max_connections + 1,  # the first that is refused
         "timeout_keep_alive": settings.keep_alive_s,
         "timeout_graceful_shutdown": settings.grace_s,
-        "timeout_worker_healthcheck": _UNRESPONSIVE_S,
         "proxy_headers": bool(settings.trusted_proxies),
         "forwarded_allow_ips": settings.trusted_proxies,
         "server_header": False,
+        "log_config": None,  # see `app.server.observe.lines`
         "log_level": "warning",
         "access_log": False,  # the application writes its own
     }
@@ -104,7 +175,12 @@ def _shared_metrics() -> Iterator[None]:
         yield
         return
     memory = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None  # noqa: S108
-    with tempfile.TemporaryDirectory(prefix="fresnel-explorer-", dir=memory) as folder:
+    try:
+        made = tempfile.TemporaryDirectory(prefix="fresnel-explorer-", dir=memory)
+    except OSError as error:
+        reason = f"workers count requests together in a folder, and none could be made: {error}"
+        raise CannotServe(f"{reason}; name one by {SHARED}, or run a single worker") from None
+    with made as folder:
         os.environ[SHARED] = folder
         try:
             yield

@@ -8,6 +8,7 @@ import re
 import struct
 import subprocess
 import sys
+import tempfile
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,7 @@ from app.api.figures import KINDS
 from app.figures import render
 from app.main import create_app
 from app.optics.registry import default_registry
+from app.page.files import DOCUMENT_SECURITY_HEADERS
 from tests.api.raw import Answer, send
 from tests.browser.conftest import find_browser
 
@@ -201,6 +203,16 @@ def test_what_the_route_refuses_is_told_as_it_tells_it(app: FastAPI) -> None:
     assert send(app, b"/api/v1/figures/nope").status == 404
 
 
+def test_a_page_of_its_own_is_as_safe_as_the_page(app: FastAPI) -> None:
+    own, shell = figure(app, "compare", format="html").headers, send(app, b"/").headers
+    for name in DOCUMENT_SECURITY_HEADERS:
+        if name != "Content-Security-Policy":  # its own is narrower
+            assert own[name.lower()] == shell[name.lower()]
+    assert own["x-content-type-options"] == shell["x-content-type-options"] == "nosniff"
+    assert "default-src 'none'" in own["content-security-policy"]
+    assert "base-uri 'none'" in own["content-security-policy"]
+
+
 def test_a_page_holds_all_it_needs(app: FastAPI) -> None:
     answer = figure(app, "compare", format="html")
     assert answer.headers["content-type"] == "text/html; charset=utf-8"
@@ -234,6 +246,25 @@ def test_pictures(app: FastAPI, form: str, magic: bytes) -> None:
             1000,
             800,
         )  # for screens of two dots a px
+
+
+def test_a_picture_has_a_bound_on_its_dots(app: FastAPI) -> None:
+    answer = figure(app, "sweep", format="png", width="4000", height="1001")
+    assert answer.status == 422
+    (error,) = answer.json()["errors"]
+    assert (error["parameter"], error["value"]) == ("width", 4000)
+    assert "4000000, here 4004000" in error["message"]
+
+
+def test_no_pictures_without_a_folder_to_write_to(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(**_: str) -> str:
+        raise FileNotFoundError("No usable temporary directory found")
+
+    fresh = create_app()
+    monkeypatch.setattr(tempfile, "mkdtemp", refuse)
+    answer = figure(fresh, "sweep", format="png", width="502")
+    assert answer.status == 406
+    assert "TMPDIR" in answer.json()["detail"]
 
 
 def test_no_pictures_without_kaleido(app: FastAPI, monkeypatch: pytest.MonkeyPatch) -> None:

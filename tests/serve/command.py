@@ -72,9 +72,23 @@ class Served:
 
 
 @contextmanager
-def serving(folder: Path, *arguments: str, **environment: str) -> Iterator[Served]:
-    """Start `fresnel-explorer serve` on a free port and wait until it answers."""
+def serving(
+    folder: Path,
+    *arguments: str,
+    stdout: int | None = None,
+    stderr: int | None = None,
+    **environment: str,
+) -> Iterator[Served]:
+    """Start `fresnel-explorer serve` on a free port and wait until it answers.
+
+    What it prints goes into files, unless it is told where to.
+    """
     output, errors = folder / "stdout", folder / "stderr"
+
+    def address() -> str | None:
+        lines = (output.read_text("utf-8") + errors.read_text("utf-8")).splitlines()
+        return next((line.split()[-1] for line in lines if " at http" in line), None)
+
     with (
         output.open("wb") as out,
         errors.open("wb") as err,
@@ -82,14 +96,13 @@ def serving(folder: Path, *arguments: str, **environment: str) -> Iterator[Serve
             [*COMMAND, "serve", "--port", "0", *arguments],
             cwd=ROOT,
             env=os.environ | {"FRESNEL_ACCESS_LOG": "true"} | environment,
-            stdout=out,
-            stderr=err,
+            stdout=out if stdout is None else stdout,
+            stderr=err if stderr is None else stderr,
         ) as process,
     ):
         try:
-            wait_for(lambda: " at http" in errors.read_text("utf-8"))
-            line = next(s for s in errors.read_text("utf-8").splitlines() if " at http" in s)
-            served = Served(process, line.split()[-1], output)
+            wait_for(lambda: address() is not None)
+            served = Served(process, address() or "", output)
             wait_for(lambda: answers(served, f"{API}/health/ready"))
             yield served
         finally:
@@ -98,6 +111,32 @@ def serving(folder: Path, *arguments: str, **environment: str) -> Iterator[Serve
                 process.wait(PATIENCE_S)
             finally:
                 process.kill()
+
+
+def commands() -> dict[int, str]:
+    """The command line of every process on this machine, by its id."""
+    told = {}
+    for folder in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):
+            command = (
+                (folder / "cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
+            )
+            told[int(folder.name)] = command
+    return told
+
+
+def running(text: str) -> list[int]:
+    """Processes with a text in their command line."""
+    return [pid for pid, command in commands().items() if text in command]
+
+
+def children(pid: int) -> set[int]:
+    """Processes that a process started, and those that these started."""
+    found: set[int] = set()
+    for folder in Path(f"/proc/{pid}/task").glob("*"):
+        with suppress(OSError):
+            found |= set(map(int, (folder / "children").read_text("utf-8").split()))
+    return found.union(*map(children, found))
 
 
 def answers(served: Served, target: str) -> bool:

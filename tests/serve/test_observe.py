@@ -1,9 +1,11 @@
 """Request ids, the access log and the metrics."""
 
 import json
+import logging
 import os
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import Any
 
 import pytest
@@ -13,6 +15,7 @@ from starlette.types import Receive, Scope, Send
 
 from app.main import create_app
 from app.server.observe.access_log import AccessLog
+from app.server.observe.lines import Lines, LinesHandler
 from app.server.observe.metrics import Metrics
 from app.server.observe.middleware import Observed
 from tests.api.raw import Answer, send
@@ -123,8 +126,12 @@ class Pipe:
 
     def __init__(self) -> None:
         self.reading, writing = os.pipe()
-        self.log = AccessLog(writing)
+        self.lost = 0
+        self.log = AccessLog(Lines(writing, self.lose, most=5))
         self._writing = writing
+
+    def lose(self) -> None:
+        self.lost += 1
 
     def line(self) -> bytes:
         """Take what one write put into the pipe; two lines would be too many."""
@@ -203,3 +210,49 @@ class TestAccessLog:
     def test_a_reader_that_is_gone_fails_no_request(self, app: FastAPI, pipe: Pipe) -> None:
         os.close(pipe.reading)
         assert send(Observed(app, Metrics(), pipe.log), API + b"/models").status == 200
+        pipe.log.flush()
+        assert pipe.lost == 1
+
+
+class TestReaders:
+    """A pipe that nobody reads takes 64 kB; here it is full from the start."""
+
+    @pytest.fixture
+    def full(self) -> Iterator[tuple[int, int]]:
+        reading, writing = os.pipe()
+        os.set_blocking(writing, False)
+        with suppress(BlockingIOError):
+            while True:
+                os.write(writing, b"x" * 4096)
+        os.set_blocking(writing, True)
+        yield reading, writing
+        os.close(reading)
+
+    def test_lines_that_nobody_reads_are_dropped_and_counted(self, full: tuple[int, int]) -> None:
+        metrics = Metrics()
+        lines = Lines(full[1], metrics.dropped, most=5)
+        for _ in range(20):
+            lines.write(b"a line\n")
+        lines.flush(0.01)  # which does not wait for ever
+        (dropped,) = re.findall(
+            rb"^fresnel_access_log_lines_dropped_total (\d+)", metrics.text(), re.M
+        )
+        assert int(dropped) in (14, 15)  # one more may be under way
+
+    def test_the_log_of_errors_says_how_many_were_lost(self, full: tuple[int, int]) -> None:
+        logger = logging.Logger("test")
+        handler = LinesHandler(full[1], most=5)
+        logger.addHandler(handler)
+        for number in range(20):
+            logger.error("before %d", number)
+        reader = os.fdopen(full[0], "rb", closefd=False)
+        while reader.read1(65536).startswith(b"x"):
+            pass
+        handler.flush()
+        logger.error("after")
+        handler.flush()
+        told = reader.read1(65536)
+        while b"after" not in told:
+            told += reader.read1(65536)
+        (lost,) = re.findall(rb"(\d+) records before this one were lost\nafter\n", told)
+        assert int(lost) in (14, 15)

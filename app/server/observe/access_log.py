@@ -2,14 +2,14 @@
 
 import os
 import re
-import sys
 from collections.abc import Iterable
-from contextlib import suppress
 from datetime import UTC, datetime
 from itertools import count
 
 import orjson
 from starlette.types import Scope
+
+from app.server.observe.lines import Lines
 
 _TARGET_BYTES = 1024
 _AGENT_BYTES = 200
@@ -40,12 +40,12 @@ class AccessLog:
 
     Parameters
     ----------
-    descriptor
-        The file to write to; standard output if not given.
+    lines
+        Where to write it.
     """
 
-    def __init__(self, descriptor: int | None = None) -> None:
-        self._descriptor = sys.stdout.fileno() if descriptor is None else descriptor
+    def __init__(self, lines: Lines) -> None:
+        self._lines = lines
 
     def write(
         self,
@@ -58,7 +58,7 @@ class AccessLog:
         seconds: float,
         error: str | None,
     ) -> None:
-        """Write what became of a request; a reader that has gone away fails none."""
+        """Write what became of a request; whoever reads it, or does not, no request waits."""
         client = scope.get("client")
         record = {
             "time": datetime.now(UTC),
@@ -77,8 +77,11 @@ class AccessLog:
         if error is not None:
             record["error"] = error[:_AGENT_BYTES]
         line = orjson.dumps(record, option=orjson.OPT_APPEND_NEWLINE | orjson.OPT_UTC_Z)
-        with suppress(OSError):
-            os.write(self._descriptor, line)
+        self._lines.write(line)
+
+    def flush(self) -> None:
+        """Wait a moment until all is written."""
+        self._lines.flush()
 
 
 def _target(scope: Scope) -> str:

@@ -58,6 +58,11 @@ class Metrics:
             ("result",),
             registry=self._registry,
         )
+        self._dropped = Counter(
+            "fresnel_access_log_lines_dropped",
+            "Lines of the access log that were lost, for nobody read them.",
+            registry=self._registry,
+        )
         Gauge(
             "fresnel_build_info",
             "1, labelled with the version.",
@@ -87,6 +92,10 @@ class Metrics:
         children[1].observe(seconds)
         if cache is not None:
             self._lookups.labels(cache).inc()
+
+    def dropped(self) -> None:
+        """Count a line of the access log that is lost."""
+        self._dropped.inc()
 
     def text(self) -> bytes:
         """Write all of it in the Prometheus text format: of every worker, where there are several."""
