@@ -12,6 +12,8 @@ CIDDOR = (0.0, 0.05792105, 238.0185, 0.00167917, 57.362)
 The preset `air` has the same ones, so that a glass measured in air keeps its printed index there.
 """
 
+OPAQUE_BELOW_NM = 185.0
+
 
 def air_index(wavelength_nm: ArrayLike) -> Array:
     r"""Index of standard air against vacuum, of the wavelengths' shape.
@@ -21,15 +23,17 @@ def air_index(wavelength_nm: ArrayLike) -> Array:
 
     Ciddor fitted it from 230 to 1690 nm [1]_. Materials known further than air, as glass is in the
     infrared, take it there as well: from 200 nm to 14 µm it stays within 2e-6 of what Peck and
-    Reeder and Mathar have, less than any index of a solid is known to.
+    Reeder and Mathar have, less than any index of a solid is known to. Below 185 nm, where air is
+    opaque and the formula nears its poles, the value at 185 nm is held.
 
     Parameters
     ----------
     wavelength_nm
-        From 200 nm on.
+        Wavelengths in nanometers, any shape.
 
     References
     ----------
     .. [1] P. E. Ciddor, Appl. Opt. 35, 1566 (1996), the standard air of its equation 1.
     """
-    return refractive_index(6, CIDDOR, np.asarray(wavelength_nm, dtype=np.float64) / 1000.0)
+    held = np.maximum(np.asarray(wavelength_nm, dtype=np.float64), OPAQUE_BELOW_NM)
+    return refractive_index(6, CIDDOR, held / 1000.0)

@@ -92,6 +92,7 @@ def test_air_is_the_preset_air_and_that_of_others(catalog: Catalog) -> None:
     np.testing.assert_allclose(
         air_index(list(MATHAR)), list(MATHAR.values()), rtol=0, atol=AIR_KNOWN
     )
+    assert air_index(130.0) == air_index(185.0)  # Nobody measures in air where it is opaque.
 
 
 @pytest.mark.parametrize("wavelength_nm", [320.0, 435.8343, 587.5618, 1013.98, 1600.0])
