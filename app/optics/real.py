@@ -208,6 +208,11 @@ def penetration_depth_wavelengths(mu: Array, n_i: Array, eta: Array, kappa: Arra
     return np.where(b > 0.0, 1.0 / (4.0 * np.pi * n_i * np.maximum(b, _SMALLEST)), np.nan)
 
 
+def field_penetration_depth_wavelengths(mu: Array, n_i: Array, eta: Array, kappa: Array) -> Array:
+    """Depth of 1/e of the field, twice that of the power."""
+    return 2.0 * penetration_depth_wavelengths(mu, n_i, eta, kappa)
+
+
 def F0(n_i: Array, n_t: Array, k_t: Array) -> Array:
     """Reflectance at normal incidence."""
     return np.asarray(normal_reflectance(n_i, n_t, k_t))
@@ -234,7 +239,8 @@ QUANTITIES: Mapping[str, Callable[..., Array]] = {
     for function in (
         *(Rs, Rp, T, Ts, Tp),
         *(r_s_re, r_s_im, r_p_re, r_p_im, t_s_re, t_s_im, t_p_re, t_p_im),
-        *(phase_s_deg, phase_p_deg, theta_t_deg, penetration_depth_wavelengths),
+        *(phase_s_deg, phase_p_deg, theta_t_deg),
+        *(penetration_depth_wavelengths, field_penetration_depth_wavelengths),
         *(F0, F82, brewster_deg, critical_deg),
     )
 }

@@ -61,14 +61,15 @@ class _Module:
         return f"takes({self.add(formula)}, {names})"
 
     def angle(self, zero: Zero) -> str:
-        """Write the angle of a zero."""
+        """Write the angle of a zero, which is Brewster's without absorption."""
         f, low, high, tangent2 = (
             self.add(read(part)) for part in (zero.function, zero.low, zero.high, zero.tangent2)
         )
         ends = f"{low}(eta, kappa), {high}(eta, kappa)"
         x = f"zero((x) => {f}(eta, kappa, x), {ends})"
         angle = f"(180 / Math.PI) * Math.atan(Math.sqrt({tangent2}(eta, kappa, {x})))"
-        return f'takes((eta, kappa) => {angle}, "eta", "kappa")'
+        lossless = f"{self.add(read(real.brewster_deg))}(eta, kappa)"
+        return f'takes((eta, kappa) => kappa === 0 ? {lossless} : {angle}, "eta", "kappa")'
 
 
 def kernels(registry: Mapping[str, Model]) -> str:

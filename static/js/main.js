@@ -30,6 +30,8 @@ const VIEWS = [
   { id: "theory", title: "Theory", load: () => import("./views/theory.js") },
 ];
 
+const WORKED_OUT =
+  "What is drawn was worked out here, by the formulas that the server sent before.";
 const REFUSED = "A part of the page did not arrive. Is the server running, and are you online?";
 const ANSWER_DUE = 80; // ms that a picture in motion waits for its answer
 const PAGE_ANGLE = 64; // where the page starts: R, Rs and Rp are well apart
@@ -175,12 +177,21 @@ async function start() {
     },
     moving: state.moving,
     painted: () => frame === 0,
-    onAnswer: schedule,
+    kernels: () => answerer,
+    onAnswer() {
+      schedule();
+      fetchKernels();
+    },
     onProblem(name, problem) {
+      fetchKernels();
       const { title } = problem;
       // What concerns one panel of a view is said there.
       if (router?.current()?.view.problem?.(name, { title, lines: lines(problem) })) return false;
-      const stays = asking.answers()[name] ? ["The last good picture stays."] : [];
+      const stays = asking.worksOut(name)
+        ? [WORKED_OUT]
+        : asking.answers()[name]
+          ? ["The last good picture stays."]
+          : [];
       shell.notice("server", {
         title,
         lines: [...lines(problem), ...stays],
@@ -191,6 +202,24 @@ async function start() {
     onRecovered: () => shell.notice("server", null),
     onBusy: shell.setBusy,
   });
+
+  /** The formulas, once the first picture stands. @type {Answerer | null} */
+  let answerer = null;
+  let fetching = false;
+  async function fetchKernels() {
+    if (fetching) return;
+    fetching = true;
+    try {
+      const [{ createAnswers }, { models }] = await Promise.all([
+        import("./kernels/answers.js"),
+        import(new URL("../kernels.js", import.meta.url).href),
+      ]);
+      answerer = createAnswers(models, catalog);
+      schedule();
+    } catch {
+      fetching = false; // the server goes on drawing, and the next answer is an occasion to ask again
+    }
+  }
 
   let frame = 0;
   /** @type {ReturnType<typeof setTimeout> | undefined} */

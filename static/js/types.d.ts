@@ -69,6 +69,34 @@ interface Interface {
   principal_deg: number;
 }
 
+/** A formula of kernels.js, and the names of its arguments in their order. */
+interface Kernel {
+  (...numbers: number[]): number;
+  takes: readonly string[];
+}
+
+/** What kernels.js has of a model; of the exact solution many quantities besides R. */
+interface KernelModel {
+  R: Kernel;
+  solve?: Record<string, Kernel>;
+}
+
+type KernelModels = Record<string, KernelModel>;
+
+interface KernelAnswer {
+  answer: Json;
+  /** Whether the formulas gave all that was asked for. */
+  complete: boolean;
+}
+
+type Answerer = (path: string, last: Json) => KernelAnswer | null;
+
+interface Media {
+  n_i: number;
+  n_t: number;
+  k_t: number;
+}
+
 interface Curve {
   model: string;
   quantity: string;

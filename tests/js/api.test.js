@@ -68,17 +68,50 @@ test("going back to what is in flight forgets what waited", async () => {
   assert.deepEqual(answers, ["one"]);
 });
 
-test("a slow stale request is aborted and its late answer dropped", async () => {
+const patience = () => new Promise((resolve) => setTimeout(resolve, 30));
+
+test("a slow request goes on, with a newer one beside it, and both are shown in their order", async () => {
+  const { asking, asked, answers, busy } = query({ patience: 5 });
+  for (const path of ["/slow", "/new", "/newer"]) asking.request(path);
+  await patience();
+  assert.deepEqual(pick(asked, "path"), ["/slow", "/newer"]);
+  asking.request("/newest");
+  await patience();
+  assert.equal(asked.length, 2, "no more than two at a time");
+  asked[0]?.answer("slow");
+  await patience();
+  assert.deepEqual(pick(asked, "path"), ["/slow", "/newer", "/newest"]);
+  asked[1]?.answer("newer");
+  asked[2]?.answer("newest");
+  await turn();
+  assert.deepEqual(answers, ["slow", "newer", "newest"]);
+  assert.equal(busy.at(-1), false);
+});
+
+test("a request that is overtaken is given up, and its late answer dropped", async () => {
   const { asking, asked, answers } = query({ patience: 5 });
   asking.request("/slow");
   asking.request("/new");
-  await new Promise((resolve) => setTimeout(resolve, 30));
-  assert.equal(asked[0]?.signal?.aborted, true);
-  assert.deepEqual(pick(asked, "path"), ["/slow", "/new"]);
-  asked[0]?.answer("late");
+  await patience();
+  assert.equal(asked[0]?.signal?.aborted, false);
   asked[1]?.answer("new");
   await turn();
+  assert.equal(asked[0]?.signal?.aborted, true);
+  asked[0]?.answer("late");
+  await turn();
   assert.deepEqual(answers, ["new"]);
+});
+
+test("what went wrong with an old request is not told while a newer one is under way", async () => {
+  const { asking, asked, answers, problems } = query({ patience: 5 });
+  asking.request("/slow");
+  asking.request("/new");
+  await patience();
+  asked[0]?.fail(new Problem("stale"));
+  await turn();
+  asked[1]?.answer("new");
+  await turn();
+  assert.deepEqual([answers, problems], [["new"], []]);
 });
 
 test("an error is told unless a newer question waits, and the same may be asked again", async () => {

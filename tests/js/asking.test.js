@@ -12,11 +12,13 @@ function setting() {
     painted: true,
     wanted: /** @type {Record<string, string>} */ ({ curves: "/curves", snell: "/snell" }),
     later: /** @type {Record<string, string>} */ ({}),
+    kernels: /** @type {Answerer | null} */ (null),
   };
   let last = "";
   const asking = createAsking({
     questions: () => ({ wanted: page.wanted, later: page.later }),
     moving: () => page.moving,
+    kernels: () => page.kernels,
     painted: () => page.painted,
     onAnswer: () => log.push("answer"),
     onProblem: (name, { title }) => {
@@ -146,4 +148,61 @@ test("another view starts without answers and without what is under way", () => 
   asking.clear();
   assert.deepEqual(asking.answers(), {});
   assert.deepEqual(log.slice(2), ["cancelled", "cancelled", "recovered"]);
+});
+
+/** Formulas that answer whole questions but for those of a lookup table. @param {string} path @param {any} last */
+function formulas(path, last) {
+  if (path.startsWith("/map")) return null;
+  return { answer: { path, last }, complete: !path.includes("lut") };
+}
+
+test("while something moves formulas answer alone, and at rest until the server has", () => {
+  const { asking, page, asked, answer } = setting();
+  page.kernels = formulas;
+  page.moving = true;
+  asking.ask();
+  assert.deepEqual(asked(), []);
+  const drawn = asking.answers();
+  assert.deepEqual(drawn.curves, { path: "/curves", last: undefined });
+  assert.deepEqual(drawn.asked, { curves: "/curves", snell: "/snell" });
+  assert.equal(asking.answers().curves, drawn.curves, "worked out once");
+  assert.deepEqual(asking.paths(), [], "the server has said nothing");
+  page.moving = false;
+  asking.ask();
+  assert.deepEqual(asked(), ["/curves", "/snell"]);
+  assert.equal(asking.answers().curves, drawn.curves);
+  answer("/curves", { R: 1 });
+  assert.deepEqual(asking.answers().curves, { R: 1 });
+  assert.deepEqual(asking.paths(), ["/curves"]);
+  page.wanted = { curves: "/curves?2" };
+  page.moving = true;
+  asking.ask();
+  assert.deepEqual(asking.answers().curves, { path: "/curves?2", last: { R: 1 } });
+});
+
+test("where formulas do not reach, the server is asked while something moves, too", () => {
+  const { asking, page, asked, answer } = setting();
+  page.kernels = formulas;
+  page.moving = true;
+  page.wanted = { curves: "/curves?lut", map: "/map" };
+  asking.ask();
+  assert.deepEqual(asked(), ["/curves?lut"]);
+  assert.ok(!asking.leading(), "what formulas say is drawn at once");
+  assert.deepEqual(asking.answers().asked, undefined);
+  answer("/curves?lut", { lut: 1 });
+  page.wanted = { curves: "/curves?lut2", map: "/map" };
+  asking.ask();
+  assert.deepEqual(asking.answers().curves, { path: "/curves?lut2", last: { lut: 1 } });
+  assert.equal(asking.answers().map, undefined);
+});
+
+test("a server that is away is made up for, as far as formulas reach", () => {
+  const { asking, page, fail } = setting();
+  page.kernels = formulas;
+  page.wanted = { curves: "/curves", map: "/map" };
+  asking.ask();
+  fail("/curves", "gone");
+  fail("/map", "gone");
+  assert.deepEqual([asking.worksOut("curves"), asking.worksOut("map")], [true, false]);
+  assert.deepEqual(Object.keys(asking.answers()), ["curves", "asked"]);
 });

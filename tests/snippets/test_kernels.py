@@ -199,15 +199,17 @@ def test_what_exact_knows_besides_is_that_of_python(node: str, tmp_path: Path) -
         right[name] = (value, 1e-12, 0.0)
     for name in right:
         asking.ask(["exact", name], at.columns)
-    depth = QUANTITIES["penetration_depth_wavelengths"](apart.interface, apart.incidence)
-    asking.ask(["exact", "penetration_depth_wavelengths"], apart.columns)
+    depths = [f"{field}penetration_depth_wavelengths" for field in ("", "field_")]
+    for name in depths:
+        asking.ask(["exact", name], apart.columns)
     phases = ("phase_s_deg", "phase_p_deg")
     for name in phases:
         asking.ask(["exact", name], at.columns)
-    *answers, depths, s, p = asking.answers(node, tmp_path)
+    *answers, power, field, s, p = asking.answers(node, tmp_path)
     for values, expected in zip(answers, right.values(), strict=True):
         assert_near(values, *expected)
-    assert_near(depths, depth, 1e-12)
+    for name, values in zip(depths, (power, field), strict=True):
+        assert_near(values, QUANTITIES[name](apart.interface, apart.incidence), 1e-12)
     for name, phase in zip(phases, (s, p), strict=True):
         turned = phase - QUANTITIES[name](at.interface, at.incidence)
         # Where an amplitude all but vanishes its phase is anything.

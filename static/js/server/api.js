@@ -194,9 +194,13 @@ export function completed(rows, path, key, onProblem) {
   };
 }
 
+/** Requests under way at a time. */
+const MOST_FLIGHTS = 2;
+
 /**
- * A question that is asked again and again while something moves: one request is in flight, of those
- * that wait only the newest is kept, and a request that is slow while a newer one waits is aborted.
+ * A question that is asked again and again while something moves: one request is in flight, beside one
+ * that is slow a second, and of those that wait only the newest is kept. None is given up for being slow,
+ * as its answer may be the only one to come for a while; one that is overtaken is.
  * @param {QueryOptions} options
  */
 export function createQuery({
@@ -206,8 +210,8 @@ export function createQuery({
   get = load,
   patience = 300,
 }) {
-  /** @type {{path: string, started: number, abort: AbortController} | null} */
-  let flight = null;
+  /** The oldest first. @type {{path: string, started: number, abort: AbortController}[]} */
+  let flights = [];
   /** @type {string | null} */
   let waiting = null;
   /** @type {string | null} */
@@ -218,17 +222,18 @@ export function createQuery({
   /** @param {string} path */
   async function send(path) {
     const own = { path, started: Date.now(), abort: new AbortController() };
-    flight = own;
+    flights.push(own);
     onBusy(true);
     try {
       const data = await get(path, own.abort.signal);
-      if (flight !== own) return;
+      if (!flights.includes(own)) return;
+      for (const overtaken of flights.splice(0, flights.indexOf(own))) overtaken.abort.abort();
       answered = path;
       onAnswer(data, path);
     } catch (error) {
-      if (flight !== own) return;
+      if (!flights.includes(own)) return;
       // A newer question waits: what went wrong with this one is of no interest.
-      if (waiting === null) {
+      if (waiting === null && flights.at(-1) === own) {
         answered = null;
         onProblem(
           error instanceof Problem
@@ -237,49 +242,47 @@ export function createQuery({
         );
       }
     }
+    flights = flights.filter((flight) => flight !== own);
     next();
   }
 
+  /** Send what waits, now or when what is under way has had its time. */
   function next() {
     clearTimeout(timer);
-    flight = null;
+    const last = flights.at(-1);
+    if (waiting === null || (!last && waiting === answered)) {
+      waiting = null;
+      if (!last) onBusy(false);
+      return;
+    }
+    if (flights.length >= MOST_FLIGHTS) return;
+    const rest = last ? patience - (Date.now() - last.started) : 0;
+    if (rest > 0) {
+      timer = setTimeout(next, rest);
+      return;
+    }
     const path = waiting;
     waiting = null;
-    if (path === null || path === answered) onBusy(false);
-    else void send(path);
+    void send(path);
   }
 
   return {
     /** @param {string} path */
     request(path) {
-      if (!flight) {
-        if (path !== answered) void send(path);
-        return;
-      }
-      if (flight.path === path) {
+      if (path === (flights.at(-1)?.path ?? answered)) {
         waiting = null;
         clearTimeout(timer);
         return;
       }
-      if (waiting === null) {
-        const stale = flight;
-        timer = setTimeout(
-          () => {
-            if (flight !== stale) return;
-            stale.abort.abort();
-            next();
-          },
-          Math.max(0, patience - (Date.now() - flight.started)),
-        );
-      }
       waiting = path;
+      next();
     },
 
     /** Forget what is asked and what was answered; the next request is sent in any case. */
     cancel() {
       clearTimeout(timer);
-      flight?.abort.abort();
-      flight = null;
+      for (const { abort } of flights) abort.abort();
+      flights = [];
       waiting = null;
       answered = null;
       onBusy(false);
@@ -288,8 +291,9 @@ export function createQuery({
 }
 
 /**
- * The questions of the open view, each under a name, and the last answer to each. While something
- * moves the first one leads: the others wait until it is answered.
+ * The questions of the open view, each under a name, and the answer to each. At rest the server is asked.
+ * What it has not answered yet is answered by formulas, as far as they reach; while something moves they
+ * alone are asked, and where they do not reach the first question leads: the others wait for its answer.
  * @param {AskingOptions} options
  */
 export function createAsking({
@@ -300,10 +304,15 @@ export function createAsking({
   onProblem,
   onRecovered,
   onBusy,
+  kernels = () => null,
   query = createQuery,
 }) {
-  /** @type {Answers} */
+  /** The server's. @type {Answers} */
   let answers = {};
+  /** What is asked now, by name. @type {Record<string, string>} */
+  let wanted = {};
+  /** Answers by formulas, by name, each with the question and the server's last answer. @type {Map<string, {path: string, last: unknown, own: KernelAnswer | null}>} */
+  const worked = new Map();
   /** @type {Map<string, ReturnType<typeof createQuery>>} */
   const runners = new Map();
   /** @type {Set<string>} */
@@ -342,6 +351,33 @@ export function createAsking({
     return found;
   }
 
+  /** What formulas say to the question of a name. @param {string} name @returns {KernelAnswer | null} */
+  function own(name) {
+    const answerer = kernels();
+    const path = wanted[name];
+    if (!answerer || path === undefined) return null;
+    const before = worked.get(name);
+    const last = answers[name];
+    if (before?.path === path && before.last === last) return before.own;
+    const now = { path, last, own: answerer(path, last) };
+    worked.set(name, now);
+    return now.own;
+  }
+
+  /** The answers to show: the server's to this very question, else that by formulas, else the last one. */
+  function shown() {
+    /** @type {Answers} */
+    const all = { ...answers };
+    for (const [name, path] of Object.entries(wanted)) {
+      if (answers.asked?.[name] === path) continue;
+      const found = own(name);
+      if (!found) continue;
+      all[name] = found.answer;
+      if (found.complete) all.asked = { ...all.asked, [name]: path };
+    }
+    return all;
+  }
+
   /** @param {string} name */
   function recovered(name) {
     if (broken.delete(name) && broken.size === 0) onRecovered();
@@ -358,18 +394,20 @@ export function createAsking({
   }
 
   return {
-    answers: () => answers,
-    /** The paths whose answers there are. @returns {string[]} */
+    answers: shown,
+    /** Whether formulas answer what is asked under a name. @param {string} name */
+    worksOut: (name) => own(name)?.complete ?? false,
+    /** The paths that the server has answered. @returns {string[]} */
     paths: () => Object.values(answers.asked ?? {}),
     /** Whether an answer is on its way without which a picture in motion would be drawn twice. */
-    leading: () => moving() && busy.has(first),
+    leading: () => moving() && busy.has(first) && !own(first),
     waiting: () => later.length > 0,
     askLater,
 
     ask() {
       const asked = questions();
       if (!asked) return;
-      const { wanted } = asked;
+      wanted = asked.wanted;
       later = moving() ? [] : Object.entries(asked.later);
       for (const name of late) if (busy.has(name)) runner(name).cancel();
       // What is not asked any more cannot recover.
@@ -379,6 +417,7 @@ export function createAsking({
       }
       first = Object.keys(wanted)[0] ?? "";
       for (const [name, path] of Object.entries(wanted)) {
+        if (moving() && own(name)?.complete) continue;
         // While the first is on its way again and again, the others would only slow it down.
         if (name === first || !moving() || !busy.has(first)) runner(name).request(path);
       }
@@ -393,6 +432,8 @@ export function createAsking({
       late.clear();
       for (const name of broken) recovered(name);
       answers = {};
+      wanted = {};
+      worked.clear();
     },
   };
 }

@@ -67,7 +67,7 @@ interface QueryOptions {
   onProblem: (problem: Failure) => void;
   onBusy?: (busy: boolean) => void;
   get?: (path: string, signal?: AbortSignal) => Promise<Json>;
-  /** ms that a stale request may still take. */
+  /** ms after which a newer request is sent beside one that is still under way. */
   patience?: number;
 }
 
@@ -83,6 +83,8 @@ interface AskingOptions {
   /** Nothing that stays is left. */
   onRecovered: () => void;
   onBusy: (busy: boolean) => void;
+  /** Answers by formulas that are here, once they are. */
+  kernels?: () => Answerer | null;
   query?: typeof import("./api.js").createQuery;
 }
 
