@@ -11,17 +11,16 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from app.optics.interface import normal_reflectance
-from app.optics.models.exact import exact_real
-from app.optics.parameters import Array
+from app.optics.parameters import Array, Condition, Number
 from app.optics.specular import MU_BAR
 
 _DEGREES = 180.0 / np.pi
 _SMALLEST = 1e-300
 
 
-def sine2(mu: Array) -> Array:
+def sine2(mu: Number) -> Array:
     """sin^2(theta_i)."""
-    return (1.0 - mu) * (1.0 + mu)
+    return np.asarray((1.0 - mu) * (1.0 + mu))
 
 
 def square_re(eta: Array, kappa: Array) -> Array:
@@ -34,47 +33,59 @@ def contrast2(eta: Array, kappa: Array) -> Array:
     return ((eta - 1.0) ** 2 + kappa**2) * ((eta + 1.0) ** 2 + kappa**2)
 
 
-def q2_re(mu: Array, eta: Array, kappa: Array) -> Array:
+def q2_re(mu: Number, eta: Array, kappa: Array) -> Array:
     """Real part of q^2 = N^2 - sin^2; where both are near 1 by their differences from 1."""
     grazing = (eta - 1.0) * (eta + 1.0) - kappa**2 + mu * mu
     return np.where(mu * mu > 0.5, square_re(eta, kappa) - sine2(mu), grazing)
 
 
-def larger(mu: Array, eta: Array, kappa: Array) -> Array:
+def larger(mu: Number, eta: Array, kappa: Array) -> Array:
     """The larger part of q = sqrt(N^2 - sin^2), from a sum of positive terms."""
     re = q2_re(mu, eta, kappa)
     im = 2.0 * eta * kappa
     return np.sqrt(0.5 * (np.sqrt(re * re + im * im) + np.abs(re)))
 
 
-def q_re(mu: Array, eta: Array, kappa: Array) -> Array:
+def q_re(mu: Number, eta: Array, kappa: Array) -> Array:
     """Real part of q; the smaller part of q is taken from the product of both."""
     part = larger(mu, eta, kappa)
     forward = q2_re(mu, eta, kappa) >= 0.0
     return np.where(forward, part, eta * kappa / np.maximum(part, _SMALLEST))
 
 
-def q_im(mu: Array, eta: Array, kappa: Array) -> Array:
+def q_im(mu: Number, eta: Array, kappa: Array) -> Array:
     """Imaginary part of q."""
     part = larger(mu, eta, kappa)
     forward = q2_re(mu, eta, kappa) >= 0.0
     return np.where(forward, eta * kappa / np.maximum(part, _SMALLEST), part)
 
 
-def Rs(mu: Array, eta: Array, kappa: Array) -> Array:
+def is_total(mu: Number, eta: Array, kappa: Array) -> Condition:
+    """Whether all is reflected: beyond the critical angle, and at 90 degrees."""
+    return np.asarray((mu == 0.0) | ((kappa == 0.0) & (q2_re(mu, eta, kappa) < 0.0)))
+
+
+def Rs(mu: Number, eta: Array, kappa: Array) -> Array:
     """Reflectance of s-polarized light, 0 without a boundary."""
     contrast = contrast2(eta, kappa)
     den = (mu + q_re(mu, eta, kappa)) ** 2 + q_im(mu, eta, kappa) ** 2
-    return np.where(contrast == 0.0, 0.0, np.minimum(contrast / (den * den), 1.0))
+    part = np.where(is_total(mu, eta, kappa), 1.0, np.minimum(contrast / (den * den), 1.0))
+    return np.where(contrast == 0.0, 0.0, part)
 
 
-def Rp(mu: Array, eta: Array, kappa: Array) -> Array:
+def Rp(mu: Number, eta: Array, kappa: Array) -> Array:
     """Reflectance of p-polarized light, 0 without a boundary."""
     contrast, mu2 = contrast2(eta, kappa), mu * mu
     re, im = square_re(eta, kappa), 2.0 * eta * kappa
     null = (re * mu2 - sine2(mu)) ** 2 + (im * mu2) ** 2
     den = (re * mu + q_re(mu, eta, kappa)) ** 2 + (im * mu + q_im(mu, eta, kappa)) ** 2
-    return np.where(contrast == 0.0, 0.0, np.minimum(contrast * null / (den * den), 1.0))
+    part = np.minimum(contrast * null / (den * den), 1.0)
+    return np.where(contrast == 0.0, 0.0, np.where(is_total(mu, eta, kappa), 1.0, part))
+
+
+def R(mu: Number, eta: Array, kappa: Array) -> Array:
+    """Reflectance of unpolarized light, 1 to the last bit where all is reflected."""
+    return 0.5 * (Rs(mu, eta, kappa) + Rp(mu, eta, kappa))
 
 
 def Ts(mu: Array, eta: Array, kappa: Array) -> Array:
@@ -220,7 +231,7 @@ def F0(n_i: Array, n_t: Array, k_t: Array) -> Array:
 
 def F82(eta: Array, kappa: Array) -> Array:
     """Exact reflectance at cos(theta_i) = 1/7."""
-    return exact_real(MU_BAR, eta, kappa)
+    return R(MU_BAR, eta, kappa)
 
 
 def brewster_deg(eta: Array, kappa: Array) -> Array:
@@ -237,7 +248,7 @@ def critical_deg(eta: Array, kappa: Array) -> Array:
 QUANTITIES: Mapping[str, Callable[..., Array]] = {
     function.__name__: function
     for function in (
-        *(Rs, Rp, T, Ts, Tp),
+        *(R, Rs, Rp, T, Ts, Tp),
         *(r_s_re, r_s_im, r_p_re, r_p_im, t_s_re, t_s_im, t_p_re, t_p_im),
         *(phase_s_deg, phase_p_deg, theta_t_deg),
         *(penetration_depth_wavelengths, field_penetration_depth_wavelengths),

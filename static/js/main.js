@@ -34,6 +34,7 @@ const WORKED_OUT =
   "What is drawn was worked out here, by the formulas that the server sent before.";
 const REFUSED = "A part of the page did not arrive. Is the server running, and are you online?";
 const ANSWER_DUE = 80; // ms that a picture in motion waits for its answer
+const KERNELS_AFTER = 1000; // ms after the first answer, if nobody reaches for anything
 const PAGE_ANGLE = 64; // where the page starts: R, Rs and Rp are well apart
 const SAY_AFTER = 900; // ms of rest before the numbers are spoken
 const KEEP_AFTER = 3000; // ms after the last picture until what is needed offline is kept: fetching it slows a drag down
@@ -180,14 +181,14 @@ async function start() {
     kernels: () => answerer,
     onAnswer() {
       schedule();
-      fetchKernels();
+      if (!answerer) setTimeout(fetchKernels, KERNELS_AFTER);
     },
     onProblem(name, problem) {
       fetchKernels();
       const { title } = problem;
       // What concerns one panel of a view is said there.
       if (router?.current()?.view.problem?.(name, { title, lines: lines(problem) })) return false;
-      const stays = asking.worksOut(name)
+      const stays = asking.worksOut()
         ? [WORKED_OUT]
         : asking.answers()[name]
           ? ["The last good picture stays."]
@@ -256,6 +257,10 @@ async function start() {
       keep();
     }, SAY_AFTER);
   }
+
+  // Whoever reaches for something will move it.
+  for (const kind of ["pointermove", "pointerdown", "keydown"])
+    window.addEventListener(kind, fetchKernels, { once: true, passive: true });
 
   /** Keeps what is on the screen for when the server does not answer. */
   let keep = () => {};

@@ -4,7 +4,6 @@ import numpy as np
 
 from app.optics.amplitudes import reflectance
 from app.optics.models import Array, Cost, Incidence, Interface, Model
-from app.optics.parameters import Number
 
 
 def exact(interface: Interface, incidence: Incidence) -> Array:
@@ -12,7 +11,7 @@ def exact(interface: Interface, incidence: Incidence) -> Array:
     return reflectance(interface, incidence)
 
 
-def exact_real(mu: Number, eta: Array, kappa: Array) -> Array:
+def exact_real(mu: Array, eta: Array, kappa: Array) -> Array:
     """The same in real arithmetic, in few enough operations for a shader."""
     sin2 = (1.0 - mu) * (1.0 + mu)
     N2_re, N2_im = (eta - kappa) * (eta + kappa), 2.0 * eta * kappa

@@ -172,7 +172,9 @@ export function tracesOf(curves, shown, models) {
       ["phase_s_deg", "phase s", "--phase-s", "dot"],
       ["phase_p_deg", "phase p", "--phase-p", "dashdot"],
     ])) {
-      const y = branch(values(curves, id)).map((d) => (d === null ? null : inUnit(d, shown.angle)));
+      const y = branch(beforeJumps(values(curves, id), curves)).map((d) =>
+        d === null ? null : inUnit(d, shown.angle),
+      );
       if (y.length)
         traces.push({
           id,
@@ -188,6 +190,18 @@ export function tracesOf(curves, shown, models) {
     }
   }
   return traces;
+}
+
+/**
+ * Where an amplitude vanishes or total reflection begins, a phase jumps, and rounding decides on which
+ * side of the jump it is told: it is drawn on the side that it comes from.
+ * @param {(number | null)[]} degrees
+ * @param {Curves} curves
+ */
+function beforeJumps(degrees, { interface: { brewster_deg, critical_deg }, theta_i_deg }) {
+  const jumps = [brewster_deg, critical_deg].flatMap((d) => (d === null ? [] : [d]));
+  const at = new Set(jumps.map((d) => theta_i_deg.indexOf(d)));
+  return degrees.map((d, i) => (at.has(i) && i > 0 ? (degrees[i - 1] ?? null) : d));
 }
 
 /**

@@ -395,8 +395,11 @@ export function createAsking({
 
   return {
     answers: shown,
-    /** Whether formulas answer what is asked under a name. @param {string} name */
-    worksOut: (name) => own(name)?.complete ?? false,
+    /** Whether formulas answer what the server has not. */
+    worksOut: () =>
+      Object.entries(wanted).some(
+        ([name, path]) => answers.asked?.[name] !== path && own(name)?.complete,
+      ),
     /** The paths that the server has answered. @returns {string[]} */
     paths: () => Object.values(answers.asked ?? {}),
     /** Whether an answer is on its way without which a picture in motion would be drawn twice. */
