@@ -138,3 +138,43 @@ def test_axe_finds_nothing_in_the_dialogs(quiet_page: Page, key: str, theme: str
     page.evaluate(AXE.read_text(encoding="utf-8"))
     found = page.evaluate("() => axe.run()")
     assert [(v["id"], v["nodes"][0]["html"]) for v in found["violations"]] == []
+
+
+FOCUSED = """() => {
+  const focused = document.activeElement;
+  if (focused === document.body) return null;
+  const { left, right, top, bottom } = focused.getBoundingClientRect();
+  const over = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+  const still = over?.closest(".top, .view > .panel");
+  const covered = still && !still.contains(focused);
+  return { covered, is: focused.outerHTML.slice(0, 120) };
+}"""
+
+
+@pytest.mark.parametrize(
+    ("place", "width", "key"),
+    [
+        ("?view=compare", 390, "Tab"),
+        ("?view=explore", 390, "Tab"),
+        ("?view=materials", 1440, "Shift+Tab"),
+        ("?view=theory&section=claims", 1440, "Shift+Tab"),
+    ],
+)
+def test_the_tab_key_comes_to_what_can_be_seen_and_leaves_the_page_again(
+    page: Page, place: str, width: int, key: str
+) -> None:
+    page.set_viewport_size({"width": width, "height": 850})
+    page.goto(f"/{place}")
+    page.locator(".view:not([hidden])").wait_for(timeout=LOADED_MS)
+    page.wait_for_load_state("networkidle")
+    covered = []
+    for _ in range(400):
+        page.keyboard.press(key)
+        focused = page.evaluate(FOCUSED)
+        if focused is None:
+            break
+        if focused["covered"]:
+            covered.append(focused["is"])
+    else:
+        pytest.fail("the Tab key does not come to the end")
+    assert covered == []
