@@ -316,8 +316,8 @@ const deepAs = (depth) =>
  * @param {number | null} field
  */
 export function depthTexts(power, field) {
-  if (power === null) return [];
-  const [p, e] = [deepAs(power), deepAs(field ?? power)];
+  if (power === null || field === null) return [];
+  const [p, e] = [deepAs(power), deepAs(field)];
   return [
     `penetration depth of power ${p} λ, of field ${e} λ`,
     `depth of power ${p} λ, of field ${e} λ`,
@@ -350,9 +350,9 @@ export function description({
         theta_t_deg === null ? "" : ` at ${angle(theta_t_deg, angleUnit)}`
       }.`;
   const deep =
-    depth === null
+    depth === null || field === null
       ? ""
-      : `The power falls to 1/e in ${deepAs(depth)} vacuum wavelengths, the field in ${deepAs(field ?? depth)}.`;
+      : `The power falls to 1/e in ${deepAs(depth)} vacuum wavelengths, the field in ${deepAs(field)}.`;
   return [first, then, deep].filter(Boolean).join(" ");
 }
 
