@@ -14,6 +14,9 @@ from pydantic.fields import FieldInfo
 from app.materials.media import default_catalog
 from app.optics.registry import default_registry
 
+FILE_PANEL = "How a file is read; what is left out is found out and told"
+"""Above the options of files in a command's help."""
+
 OUTPUT = "output_"
 """What the names of the parameters begin with that say what becomes of the answer."""
 
@@ -78,7 +81,7 @@ def argument(name: str) -> Parameter:
     return _keyword(name, str, completed)
 
 
-def parameter(name: str, info: FieldInfo) -> Parameter:
+def parameter(name: str, info: FieldInfo, panel: str = "Query") -> Parameter:
     """An option for a field of a query."""
     alias, choices = info.alias or name, _choices(info)
     flag = info.annotation is bool
@@ -88,7 +91,7 @@ def parameter(name: str, info: FieldInfo) -> Parameter:
         show_default=False,
         metavar=None if flag else "|".join(choices) or ("NUMBER" if _range(info) else "TEXT"),
         autocompletion=None if flag else _completion(alias, choices),
-        rich_help_panel="Parameters of the models" if "." in alias else "Query",
+        rich_help_panel="Parameters of the models" if "." in alias else panel,
     )
     return _keyword(name, bool, option, False) if flag else _keyword(name, str | None, option, None)
 

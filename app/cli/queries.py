@@ -18,12 +18,14 @@ from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from typer.core import TyperGroup
 
+from app.answers.rounding import rounded
 from app.api import PREFIX
 from app.api.table import RouteTable
-from app.cli import plots, tables
-from app.cli.options import OUTPUT, argument, output_parameters, parameter
+from app.cli import plots, reading, tables
+from app.cli.options import FILE_PANEL, OUTPUT, argument, output_parameters, parameter
 from app.cli.tables import Sheets
 from app.http.problems import PROBLEMS, problem_of
+from app.http.writing import csv_bytes, write
 from app.settings import Settings
 
 _DIGITS = "6"  # of a table, where nobody asked for more
@@ -45,6 +47,8 @@ class Command:
     """Name of the figure that --plot, --open and --save draw, if any."""
     in_table: Mapping[str, str] = field(default_factory=dict)
     """Parameters that tables take unless they are given."""
+    reads_files: bool = False
+    """Whether a file may stand in the argument's place."""
 
     @property
     def argument(self) -> str | None:
@@ -101,12 +105,14 @@ COMMANDS = (
     Command(
         name="material",
         route="/materials/{material}",
-        help="Index, color and source of a material: fresnel-explorer material Au",
+        help="Index, color and source of a material, or what a file of n and k holds and how it was "
+        "read: fresnel-explorer material Au, fresnel-explorer material film.csv --unit um",
         sheets=tables.several(
             tables.pairs,
             tables.listed("rivals", "id", "n", "k", "wavelength_nm", "source", title="rivals"),
         ),
         figure="material",
+        reads_files=True,
     ),
     Command(
         name="materials",
@@ -184,6 +190,16 @@ def _fields(path: str) -> Mapping[str, FieldInfo]:
 
 def _run(command: Command, given: dict[str, str], output: Mapping[str, Any]) -> None:
     path, named = command.route, {}
+    if command.reads_files:
+        chosen = {name: given.pop(name) for name in reading.FIELDS if name in given}
+        name = given["material"]
+        if reading.is_file(name):
+            asked = {key: value for key, value in given.items() if key != "material"}
+            _run_file(command, name, chosen, asked, output)
+            return
+        if chosen:
+            option = next(iter(chosen))
+            raise typer.BadParameter(f"{name} is no file", param_hint=f"--{option}")
     if command.argument:
         named = {command.argument: given.pop(command.argument)}
         path = path.format_map({name: quote(value, safe="") for name, value in named.items()})
@@ -204,6 +220,34 @@ def _run(command: Command, given: dict[str, str], output: Mapping[str, Any]) -> 
         usual = {"digits": _DIGITS, **command.in_table}
         given = {name: v for name, v in usual.items() if name in fields} | given
         tables.print_tables(command.sheets(_ask(path, given)))
+
+
+def _run_file(
+    command: Command,
+    name: str,
+    chosen: Mapping[str, str],
+    given: Mapping[str, str],
+    output: Mapping[str, Any],
+) -> None:
+    """Answer what is asked of a preset for a material out of a file."""
+    with _told(command.route):
+        answer = reading.read(name, chosen)
+    if output["plot"] or output["open"] or output["save"]:
+        _draw(command, {**given, "material": answer.material}, output)
+        return
+    # What else is given is asked of the material, so that what is wrong with it is told.
+    path = command.route.format(material=quote(answer.material, safe=""))
+    form, digits = output["format"], int(given.get("digits", 17))
+    detail = _ask(path, {"digits": _DIGITS, **given} if form == "table" else given)
+    if form == "json":
+        typer.echo(bytes(write(answer, digits=digits).body))
+    elif form == "csv":
+        written = csv_bytes(reading.table(answer), digits).decode()
+        typer.echo(written.replace("\r\n", "\n"), nl=False)
+    else:
+        shown = rounded(answer, int(given.get("digits", _DIGITS)))
+        constants = tables.pairs({"from vacuum": detail.constants, "color": detail.display})
+        tables.print_tables([*reading.sheets(shown), *constants])
 
 
 def _draw(command: Command, given: Mapping[str, str], output: Mapping[str, Any]) -> None:
@@ -227,6 +271,8 @@ def _command(command: Command) -> Callable[..., None]:
     aliases = {name: info.alias or name for name, info in fields.items()}
     parameters = [argument(command.argument)] if command.argument else []
     parameters += [parameter(n, info) for n, info in fields.items() if n != "format"]
+    if command.reads_files:
+        parameters += [parameter(name, info, FILE_PANEL) for name, info in reading.FIELDS.items()]
     parameters += output_parameters(figure=command.figure is not None)
 
     def run(**values: Any) -> None:
