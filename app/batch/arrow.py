@@ -44,7 +44,8 @@ def rows_of(batch: pa.RecordBatch, registry: Registry) -> Rows:
     for name in batch.schema.names:
         if name not in known and name not in NAMES:
             nearest = get_close_matches(name, every, n=3)
-            hint = f"nearest: {', '.join(nearest)}" if nearest else f"known: {', '.join(every)}"
+            hint = f"nearest: {', '.join(nearest)}; " if nearest else ""
+            hint += f"known: {', '.join(every)}"
             raise WrongColumn(name, f"unknown column; {in_our_unit(name, known) or hint}")
         if batch.schema.names.count(name) > 1:
             raise WrongColumn(name, "there twice")

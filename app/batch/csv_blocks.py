@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import repeat
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -25,6 +25,11 @@ _LONGEST_ROW = 1_000_000
 
 _SURROGATES = re.compile("[\udc80-\udcff]")
 """What Python reads bytes as that are no UTF-8."""
+
+_SEPARATORS = ",;\t"
+_SAMPLE = 20_000
+_DECIMAL_COMMA = re.compile(r"\s*[-+]?\d*,\d+(?:[eE][-+]?\d+)?\s*")
+_DECIMAL_POINT = re.compile(r"\s*[-+]?\d*\.\d+(?:[eE][-+]?\d+)?\s*")
 
 _ENCODING = "utf-8-sig"
 _LONGEST_VALUE = 200
@@ -50,8 +55,15 @@ class CsvBlocks:
     ----------
     path
         The file, in UTF-8.
-    types
-        Columns that are known by name; all others are text.
+    type_of
+        How a column is read, by its name.
+    known
+        Names of columns, by which the header is parted.
+
+    Attributes
+    ----------
+    assumed
+        How it is parted, and the decimal sign, where those are not commas and points.
 
     Raises
     ------
@@ -59,15 +71,21 @@ class CsvBlocks:
         If there is no header.
     """
 
-    def __init__(self, path: Path, types: Mapping[str, pa.DataType]) -> None:
+    def __init__(
+        self, path: Path, type_of: Callable[[str], pa.DataType], known: Collection[str] = ()
+    ) -> None:
         self._path = path
         with self._opened() as (_, text):
             head = _whole_row(text, text.readline(_LONGEST_ROW))
+            sample = text.read(_SAMPLE).split("\n")
         if not head.strip():
             raise pa.ArrowInvalid("no header row")
-        names = next(csv.reader([head]))
+        self._separator = _separator(head, known)
+        names = next(csv.reader([head], delimiter=self._separator))
+        self._decimal = _decimal(sample, self._separator)
+        self.assumed = _said(self._separator, self._decimal)
         self._header_lines = head.count("\n")
-        self.schema = pa.schema([(name, types.get(name, pa.string())) for name in names])
+        self.schema = pa.schema([(name, type_of(name)) for name in names])
 
     def _opened(self) -> _Opened:
         return _Opened(self._path)
@@ -93,8 +111,12 @@ class CsvBlocks:
                 pa.csv.ReadOptions(
                     use_threads=False, block_size=4 * len(block), column_names=self.schema.names
                 ),
+                parse_options=pa.csv.ParseOptions(delimiter=self._separator),
                 convert_options=pa.csv.ConvertOptions(
-                    column_types=self.schema, null_values=[""], strings_can_be_null=True
+                    column_types=self.schema,
+                    null_values=[""],
+                    strings_can_be_null=True,
+                    decimal_point=self._decimal,
                 ),
             )
         except pa.ArrowException:
@@ -108,7 +130,7 @@ class CsvBlocks:
         rows: list[list[Any]] = []
         faults: dict[int, Fault] = {}
         places: list[int] = []
-        for place, text, cells in _rows(block, line):
+        for place, text, cells in _rows(block, line, self._separator):
             row, fault = self._row(text, cells)
             if fault is not None:
                 faults[len(rows)] = fault
@@ -140,7 +162,7 @@ class CsvBlocks:
                 row[index] = cell or None
             elif cell:
                 try:
-                    row[index] = _number(cell)
+                    row[index] = _number(cell, self._decimal)
                 except ValueError:
                     message = instead(kind.name, cell) or "no number"
                     first = first or Fault(kind.name, cell[:_LONGEST_VALUE], message)
@@ -173,7 +195,9 @@ def _whole_row(text: io.TextIOWrapper, block: str) -> str:
     return block + more
 
 
-def _rows(block: str, line: int) -> Iterator[tuple[int, str, list[str] | csv.Error]]:
+def _rows(
+    block: str, line: int, separator: str
+) -> Iterator[tuple[int, str, list[str] | csv.Error]]:
     """Part a block into rows: the number of its first line, that line, and its cells or why none.
 
     Empty lines are no rows. A quote that nobody closes costs its own line and no more.
@@ -182,7 +206,8 @@ def _rows(block: str, line: int) -> Iterator[tuple[int, str, list[str] | csv.Err
     at = 0
     while at < len(lines):
         start = at
-        reader = csv.reader((lines[i] + "\n" for i in range(start, len(lines))), strict=True)
+        rest = (lines[i] + "\n" for i in range(start, len(lines)))
+        reader = csv.reader(rest, delimiter=separator, strict=True)
         try:
             for cells in reader:
                 if cells:
@@ -193,7 +218,34 @@ def _rows(block: str, line: int) -> Iterator[tuple[int, str, list[str] | csv.Err
             at += 1
 
 
-def _number(cell: str) -> float:
+def _separator(head: str, known: Collection[str]) -> str:
+    """What parts a header into most names that are known; a comma unless another does better."""
+
+    def names(separator: str) -> int:
+        return sum(name in known for name in next(csv.reader([head], delimiter=separator)))
+
+    best = max(_SEPARATORS, key=names)
+    if names(best) > names(","):
+        return best
+    return next((s for s in ";\t" if s in head), ",") if "," not in head else ","
+
+
+def _decimal(lines: Sequence[str], separator: str) -> str:
+    """A comma where cells are numbers with one, and none with a point."""
+    if separator == ",":
+        return "."
+    cells = [cell for line in lines for cell in line.split(separator)]
+    has_commas = any(_DECIMAL_COMMA.fullmatch(cell) for cell in cells)
+    return "," if has_commas and not any(_DECIMAL_POINT.fullmatch(c) for c in cells) else "."
+
+
+def _said(separator: str, decimal: str) -> tuple[str, ...]:
+    names = {";": "columns are parted by semicolons", "\t": "columns are parted by tabs"}
+    said = (names[separator],) if separator in names else ()
+    return (*said, "the decimal sign is a comma") if decimal == "," else said
+
+
+def _number(cell: str, decimal: str) -> float:
     """Read a number as Arrow does, which knows no 1_5.
 
     Raises
@@ -201,6 +253,6 @@ def _number(cell: str) -> float:
     ValueError
         If it is none.
     """
-    if "_" in cell:
+    if "_" in cell or (decimal == "," and "." in cell):
         raise ValueError(cell)
-    return float(cell)
+    return float(cell.replace(decimal, "."))

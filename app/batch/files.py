@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +17,7 @@ import pyarrow.parquet
 from app.batch.arrow import WrongColumn, rows_of
 from app.batch.csv_blocks import Block, CsvBlocks
 from app.batch.evaluation import evaluate
+from app.batch.meant_columns import meant, renamed
 from app.batch.rows import NAMES, Fault, number_columns
 from app.optics.numerics.significant import round_significant
 from app.optics.parameters import N_T, WAVELENGTH_NM
@@ -54,6 +56,11 @@ class RowsFile:
     keep
         Columns that mean nothing here and are copied.
 
+    Attributes
+    ----------
+    assumed
+        What the file does not say of itself: separators, decimal signs, columns called otherwise.
+
     Raises
     ------
     WrongColumn
@@ -66,14 +73,17 @@ class RowsFile:
     def __init__(self, path: Path, keep: Sequence[str] = ()) -> None:
         self._path = path
         self._keep = tuple(keep)
+        self._known = set(_types()) | set(self._keep)
+        self.assumed: tuple[str, ...] = ()
         try:
             if path.suffix == ".parquet":
                 with pa.parquet.ParquetFile(path) as file:
                     self.schema = file.schema_arrow
                     self.total = int(file.metadata.num_rows)
             else:
-                self._csv = CsvBlocks(path, dict.fromkeys(self._keep, pa.string()) | _types())
+                self._csv = CsvBlocks(path, self._type, self._known)
                 self.schema = self._csv.schema
+                self.assumed = self._csv.assumed
                 self.total = path.stat().st_size
         except (pa.ArrowException, OSError) as error:
             raise FileFault(path, error) from None
@@ -86,7 +96,14 @@ class RowsFile:
         for name, _ in _ADDED:
             if name in self.schema.names:
                 raise WrongColumn(name, "there already; it is what will be added")
+        columns = meant(self.schema.names, self._known)
+        self.assumed += tuple(one.said(name) for name, one in columns.items())
         evaluated(pa.RecordBatch.from_pylist([], schema=self.schema), self._keep)
+
+    def _type(self, name: str) -> pa.DataType:
+        if name in meant([name], self._known):
+            return pa.float64()
+        return pa.string() if name in self._keep else _types().get(name, pa.string())
 
     def blocks(self) -> Iterator[Block]:
         """Yield all rows in order.
@@ -110,7 +127,8 @@ class RowsFile:
                 yield Block(batch, {}, places, done)
 
 
-def _types() -> dict[str, pa.DataType]:
+@cache
+def _types() -> Mapping[str, pa.DataType]:
     """How the columns are read that are known; numbers that have names may come by them."""
     numbers = number_columns(default_registry()).items()
     types = {name: pa.string() if p.choices else pa.float64() for name, p in numbers}
@@ -141,11 +159,13 @@ def evaluated(
     WrongColumn
         If it has a column that is neither known nor to be kept.
     """
-    asked = [name for name in batch.schema.names if name not in keep]
+    given = [name for name in batch.schema.names if name not in keep]
+    batch_asked = renamed(batch.select(given), meant(given, set(_types())))
+    asked = batch_asked.schema.names
     if N_T.name in asked and not {"material", "incident"}.intersection(asked):
         # A table of n and k over the wavelength: nothing in it is looked up there.
         asked = [name for name in asked if name != WAVELENGTH_NM.name]
-    rows = rows_of(batch.select(asked), default_registry())
+    rows = rows_of(batch_asked.select(asked), default_registry())
     rows = replace(rows, faults={**rows.faults, **(faults or {})})
     outcome = evaluate(rows, default_registry())
     errors = pa.nulls(batch.num_rows, pa.string())

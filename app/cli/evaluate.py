@@ -43,7 +43,8 @@ def evaluate(
             dir_okay=False,
             help="CSV with a header row, or Parquet, with any of the columns n_i, n_t, k_t, "
             "incident, material, wavelength_nm, theta_i_deg, model, quantity and "
-            "<model>.<parameter>; what is empty is left out.",
+            "<model>.<parameter>; n, k, wavelength_um and energy_ev, semicolons, tabs and "
+            "decimal commas are understood and told; what is empty is left out.",
         ),
     ],
     output: Annotated[
@@ -86,6 +87,8 @@ def evaluate(
         raise typer.BadParameter(f"{output} is there; --force overwrites it", param_hint="--output")
     try:
         rows = RowsFile(file, keep or ())
+        for sentence in rows.assumed:
+            typer.echo(sentence, err=True)
         is_parquet = file.suffix == ".parquet"
         with (
             _ended_by_signals(),

@@ -93,7 +93,7 @@ def test_digits_that_cannot_be_are_told(rows: Path, digits: str) -> None:
 
 def test_an_unknown_column_is_told_every_known_one(tmp_path: Path) -> None:
     path = tmp_path / "rows.csv"
-    path.write_text("zzzzzz\n1\n")
+    path.write_text("n_tt\n1\n")
     printed = run(path)[1]
     for name in ("n_t", "wavelength_nm", "model", "quantity", "material", "incident"):
         assert re.search(rf"\b{name}\b", printed), name
@@ -342,3 +342,46 @@ def test_memory_does_not_grow_with_the_file(tmp_path: Path) -> None:
         ended = subprocess.run(command, capture_output=True, text=True, check=True)
         peaks.append(int(ended.stdout.splitlines()[-1]))
     assert peaks[1] < 1.33 * peaks[0]
+
+
+INDICES = ((400.0, 1.66, 1.956), (500.0, 0.85, 1.895))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("wavelength_um;n;k\n0,4;1,66;1,956\n0,5;0,85;1,895\n", "the decimal sign is a comma"),
+        ("Energy (eV)\tn\tk\n3.1\t1.66\t1.956\n2.48\t0.85\t1.895\n", "energy in eV"),
+        ("wavelength_nm,n,k\n400,1.66,1.956\n500,0.85,1.895\n", "n is read as n_t"),
+        ("energy_ev,n_t,k_t\n3.1,1.66,1.956\n2.48,0.85,1.895\n", "energy_ev is read as"),
+    ],
+)
+def test_tables_as_people_have_them_are_read_and_what_is_assumed_is_told(
+    tmp_path: Path, text: str, said: str
+) -> None:
+    path = tmp_path / "gold.csv"
+    path.write_text(text)
+    code, printed = run(path)
+    assert code == 0, printed
+    assert said in printed
+    table = read(path.with_name("gold-evaluated.csv"))
+    expected = [float(fresnel(1.0, n, k, 0.0).R) for _, n, k in INDICES]
+    assert table["value"].to_pylist() == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_preset_is_asked_at_energies(tmp_path: Path) -> None:
+    path = tmp_path / "gold.csv"
+    path.write_text("material;energy_ev\nAu;2,0\n")
+    assert run(path)[0] == 0
+    known = default_catalog().constants("Au", 1239.8419843320026 / 2.0)
+    assert known.k is not None
+    value = read(tmp_path / "gold-evaluated.csv")["value"].to_pylist()
+    assert value == pytest.approx([float(fresnel(1.0, known.n, known.k, 0.0).R)], rel=1e-9)
+
+
+def test_two_names_of_one_column_are_not_guessed_between(tmp_path: Path) -> None:
+    path = tmp_path / "rows.csv"
+    path.write_text("n_t,n\n1.5,1.6\n")
+    code, printed = run(path)
+    assert code == 2
+    assert "n: unknown column" in printed
