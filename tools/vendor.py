@@ -2,9 +2,9 @@
 
 Every package gets a folder with its version in the name, so that the server may tell browsers to
 keep these files for ever. The files are copied unchanged, but for the page's font, which is cut to
-what the page shows, and a line for the type checker beside lit-html. `manifest.json` records where
-each came from, under which licence, and its SHA-256. Run it by `make vendor` after changing a
-version.
+what the page shows and renamed, and a line for the type checker beside lit-html. `manifest.json`
+records where each came from, under which licence, and its SHA-256. Run it by `make vendor` after
+changing a version.
 """
 
 import hashlib
@@ -58,8 +58,9 @@ PLOTLY = Package(
     "LICENSE",
     {"plotly-cartesian.min.js": "."},
 )
+# IBM Plex Sans, under a name of its own: "Plex" is reserved by its licence for what is not changed.
 FONT = Package(
-    "ibm-plex-sans",
+    "fresnel-sans",
     "@fontsource-variable/ibm-plex-sans",
     "LICENSE",
     {},  # cut below
@@ -138,7 +139,8 @@ def declare_lit() -> None:
 # The weights and characters in use, with the letters of western names. Who changes them changes the
 # name of the file too: browsers keep it for ever.
 FONT_SOURCE = "files/ibm-plex-sans-latin-wght-normal.woff2"
-FONT_CUT = "ibm-plex-sans-latin-400-700-plain.woff2"
+FONT_CUT = "fresnel-sans-latin-400-700.woff2"
+FONT_NAME = "Fresnel Sans"
 FONT_WEIGHTS = (400, 700)
 FONT_CHARACTERS = (
     *map(chr, range(0x20, 0x7F)),
@@ -152,12 +154,24 @@ def cut_font() -> None:
     with TTFont(FONT.source / FONT_SOURCE, recalcTimestamp=False) as font:
         # Variable fonts are mostly sent without hints: today's rasterizers do as well without them.
         # Kerning is a third of the bytes and hardly seen in words of 14 px.
-        subsetter = Subsetter(Options(layout_features=[], hinting=False))
+        names = [*range(7), 13, 14]  # what it is called, by whom it is, and its licence
+        subsetter = Subsetter(Options(layout_features=[], hinting=False, name_IDs=names))
         subsetter.populate(text="".join(FONT_CHARACTERS))
         subsetter.subset(font)
         instantiateVariableFont(font, {"wght": FONT_WEIGHTS}, inplace=True)
+        rename(font)
         font.flavor = "woff2"
         font.save(FONT.folder / FONT_CUT)
+
+
+def rename(font: TTFont) -> None:
+    """Take the reserved name out of everything that the font calls itself."""
+    for record in font["name"].names:
+        text = record.toUnicode()
+        for theirs in ("IBM Plex Sans", "IBMPlexSans"):
+            ours = FONT_NAME if " " in theirs else FONT_NAME.replace(" ", "")
+            text = text.replace(theirs, ours)
+        record.string = text
 
 
 def describe(package: Package) -> dict[str, Any]:

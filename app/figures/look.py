@@ -10,7 +10,7 @@ from app.answers.looks import COLORS, model_look
 
 Ground = Literal["paper", "white", "transparent"]
 
-FACE = '"IBM Plex Sans", system-ui, "Segoe UI", Roboto, sans-serif'
+FACE = '"Fresnel Sans", system-ui, "Segoe UI", Roboto, sans-serif'
 
 
 @dataclass(frozen=True, slots=True)

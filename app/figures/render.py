@@ -24,7 +24,7 @@ MEDIA_TYPES = {
 }
 
 _BUNDLE = "plotly-cartesian-*/plotly-cartesian.min.js"
-_FONT = "ibm-plex-sans-*/ibm-plex-sans-latin-*.woff2"
+_FONT = "fresnel-sans-*/fresnel-sans-latin-*.woff2"
 _DRAW = (
     "const figure = JSON.parse(document.getElementById('figure').textContent);"
     "Plotly.newPlot('plot', figure.data, figure.layout, "
@@ -88,7 +88,7 @@ def page(
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{html.escape(title)}</title>
 <style>
-@font-face {{ font-family: "IBM Plex Sans"; src: url({font}) format("woff2"); font-weight: 400 700 }}
+@font-face {{ font-family: "Fresnel Sans"; src: url({font}) format("woff2"); font-weight: 400 700 }}
 body {{ margin: 0; min-height: 100vh; display: flex; flex-direction: column;
   background: {look.background}; color: {look.colors["muted"]}; font: 12px/1.45 {FACE} }}
 #plot {{ flex: 1; min-height: {look.height or 320}px; width: {size} }}

@@ -8,6 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from fontTools.ttLib import TTFont
+
+from app.figures.look import FACE
 
 ROOT = Path(__file__).parents[2]
 STATIC = ROOT / "static"
@@ -45,6 +48,20 @@ def test_package_is_the_locked_one_with_its_licence(package: dict[str, Any]) -> 
     # The server lets browsers keep these files for ever, so a new version needs a new folder.
     folder = f"{package['name']}-{package['version']}/"
     assert all(name.startswith(folder) for name in package["files"])
+
+
+def test_the_cut_font_has_no_reserved_name_and_keeps_its_copyright() -> None:
+    """The Open Font License reserves "Plex" for what is not changed (section 3)."""
+    (package,) = (p for p in PACKAGES if p["npm"] == "@fontsource-variable/ibm-plex-sans")
+    (cut,) = (name for name in package["files"] if name.endswith(".woff2"))
+    with TTFont(VENDOR / cut) as font:
+        names = {record.nameID: record.toUnicode() for record in font["name"].names}
+    assert names[1] == "Fresnel Sans"
+    assert "IBM Corp." in names[0]
+    assert names[14] == "http://scripts.sil.org/OFL"
+    pages = [path for path in STATIC.rglob("*") if path.suffix in {".css", ".html", ".js"}]
+    told = [cut, *names.values(), FACE, *(path.read_text("utf-8") for path in pages)]
+    assert not any(re.search(r"\bplex", text, re.IGNORECASE) for text in told)
 
 
 def test_every_vendored_address_on_the_page_exists() -> None:
