@@ -8,9 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.answers.answer import answer
-from app.answers.films import layer_of
 from app.answers.materials.about import About
-from app.materials.films import Constants, Film, film_constants, material_constants
+from app.materials.films import Constants, Film, film_constants, layer_of, material_constants
 from app.materials.front import Front
 from app.materials.media import NEGLIGIBLE_K, default_catalog
 from app.optics.errors import NotAllowed

@@ -8,15 +8,14 @@ from typing import NamedTuple
 
 from app.answers.answer import answer
 from app.answers.interface import PresetInterface, ResolvedPreset
-from app.materials.films import Film, read_layers, resolve_film
+from app.materials.films import Film, layer_of, read_layers, resolve_film
 from app.materials.media import Resolved
 from app.optics import films
 from app.optics.amplitudes import Amplitudes, Power
 from app.optics.ellipsometry import CORE, Convention
-from app.optics.errors import NotAllowed, OutOfRange
+from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
-from app.optics.parameters import Array
-from app.optics.stack import D_LINE_NM, Layer, Stack
+from app.optics.stack import D_LINE_NM, Stack
 
 _REST = "angles from the surface normal; T = 1 - R is the power that enters the second medium"
 _REST_OF_FILMS = (
@@ -101,15 +100,6 @@ class Coated:
         return cls(interface, [LayerFacts.of(*each) for each in resolved], at, stack)
 
 
-def layer_of(film: Film, n: float | Array, k: float | Array, thickness_nm: float | Array) -> Layer:
-    """Make a layer of the core; what it refuses is the layer as it was written."""
-    try:
-        return Layer(n, k, thickness_nm, incoherent=film.incoherent)
-    except OutOfRange as error:
-        told = f"one whose {error.parameter} is {error.allowed}"
-        raise NotAllowed("layers", film.spelled, told) from None
-
-
 class Response(NamedTuple):
     """What a stack does to light at some directions."""
 
@@ -125,7 +115,7 @@ def response(stack: Stack, incidence: Incidence) -> Response:
     return Response(films.power(stack, incidence), coherent, films.absorption(stack, incidence))
 
 
-def exact_alone(models: Sequence[str]) -> None:
+def exact_alone(models: Sequence[str], parameter: str = "models") -> None:
     """Refuse models that know no films.
 
     Raises
@@ -135,4 +125,4 @@ def exact_alone(models: Sequence[str]) -> None:
     """
     for model in models:
         if model != "exact":
-            raise NotAllowed("models", model, "exact where there are layers, which no other knows")
+            raise NotAllowed(parameter, model, "exact where there are layers, which no other knows")

@@ -9,11 +9,13 @@ import numpy as np
 from app.answers.answer import SentAs, Table, answer
 from app.answers.axes import INDICES, Axis, held, interfaces, refuse_many_cells
 from app.answers.curves import Chosen
+from app.answers.films import Coated, LayerFacts, convention_text
 from app.answers.interface import CONVENTION, InterfaceFacts
 from app.materials.appearance import color_curve
 from app.materials.spectrum import Spectrum
 from app.optics.albedo import albedo
 from app.optics.errors import NotAllowed
+from app.optics.films import reflectances
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.lookup import Depth, TableError, line_error, quantize, sheet_error
@@ -108,6 +110,15 @@ class LookupTable:
 
 
 @answer
+class CoatedLookupTable(LookupTable):
+    """A lookup table of a surface with layers on it; `interface` is that without them."""
+
+    wavelength_nm: float
+    layers: list[LayerFacts]
+    """From the incident side on."""
+
+
+@answer
 class LookupErrors:
     """Errors of tables of many sizes."""
 
@@ -135,6 +146,8 @@ class Tabulated:
     function: Callable[..., Array]
     """Coordinates of any shape, an argument each axis, to values with channels as a last axis."""
     warnings: tuple[str, ...] = ()
+    coated: Coated | None = None
+    """The boundary with layers on it, where there are any."""
 
     def values(self) -> Array:
         """Evaluate at the texels, of shape (rows, size, channels).
@@ -167,6 +180,16 @@ def reflectance_over_mu(chosen: Chosen, interface: Interface, size: int) -> Tabu
         return np.moveaxis(np.atleast_2d(R), 0, -1).reshape(*mu.shape, -1)
 
     return Tabulated(chosen.model.id, "R", interface, (_mu(size),), values)
+
+
+def coated_over_mu(coated: Coated, size: int) -> Tabulated:
+    """Tabulate R over mu where there are layers."""
+
+    def values(mu: Array) -> Array:
+        Rs, Rp = reflectances(coated.stack, Incidence.from_cosine(mu))
+        return np.asarray(0.5 * (Rs + Rp))[..., np.newaxis]
+
+    return Tabulated("exact", "R", coated.interface, (_mu(size),), values, (), coated)
 
 
 def color_over_mu(spectrum: Spectrum, interface: Interface, size: int) -> Tabulated:
@@ -222,7 +245,18 @@ def lookup_table(tabulated: Tabulated, depth: Depth) -> LookupTable:
     # Without the axes that only pictures need.
     plain = texels[0] if len(axes) == 1 else texels
     plain = plain[..., 0] if len(channels) == 1 else plain
-    return LookupTable(
+    coated = tabulated.coated
+    kind: Any = LookupTable
+    more: dict[str, Any] = {}
+    if coated is not None:
+        kind = CoatedLookupTable
+        told = convention_text(layers=True)
+        more = {
+            "wavelength_nm": coated.wavelength_nm,
+            "layers": coated.layers,
+            "convention": told,
+        }
+    table: LookupTable = kind(
         model=tabulated.model,
         quantity=tabulated.quantity,
         warnings=[*tabulated.warnings],
@@ -233,7 +267,9 @@ def lookup_table(tabulated: Tabulated, depth: Depth) -> LookupTable:
         depth=depth,
         error=InterpolationError(max_abs=worst.max_abs, at=dict(zip(names, worst.at, strict=True))),
         texels=np.ascontiguousarray(plain),
+        **more,
     )
+    return table
 
 
 def lookup_errors(of_size: Callable[[int], Tabulated]) -> LookupErrors:

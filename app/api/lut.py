@@ -6,12 +6,15 @@ from fastapi import APIRouter, Query
 from pydantic import Field
 from starlette.responses import Response
 
+from app.answers.films import exact_alone
 from app.answers.lookup import (
     MOST_TEXELS,
+    CoatedLookupTable,
     LookupErrors,
     LookupTable,
     Tabulated,
     albedo_over_index,
+    coated_over_mu,
     color_over_mu,
     lookup_errors,
     lookup_table,
@@ -21,7 +24,7 @@ from app.answers.lookup import (
 from app.answers.lookup_files import ERROR_HEADER, MEDIA, file_bytes
 from app.api.axes import end, swept
 from app.api.model_parameters import ModelQuery, with_parameters_of
-from app.api.params import InterfaceQuery
+from app.api.params import LayersQuery
 from app.http.query import Count, LongQuery, Number
 from app.http.route import QueryRoute
 from app.http.writing import shown_as, write
@@ -43,7 +46,7 @@ _DEPTHS: dict[Format, dict[str, Depth]] = {
 }
 
 
-class TabulatedQuery(ModelQuery, InterfaceQuery, LongQuery):
+class TabulatedQuery(ModelQuery, LayersQuery, LongQuery):
     """Which function is tabulated."""
 
     over: Over = Field(
@@ -99,6 +102,15 @@ def tabulated(query: TabulatedQuery, size: int) -> Tabulated:
     for name in unused:
         if name in query.model_fields_set:
             raise NotAllowed(name, getattr(query, name), f"not with over = {over}")
+    coated = query.coated()
+    if coated is not None:
+        if over != "mu":
+            raise NotAllowed("over", over, "mu where there are layers")
+        if isinstance(query, LutQuery) and query.channels == "3":
+            why = "1 where there are layers; /films/color has their colors over the angle"
+            raise NotAllowed("channels", 3, why)
+        exact_alone([chosen.model.id], "model")
+        return coated_over_mu(coated, size)
     if isinstance(query, LutQuery) and query.channels == "3":
         return _spectral(query)
     if over == "mu":
@@ -142,7 +154,7 @@ def router(registry: Registry) -> APIRouter:
 
     @routes.get(
         "/lut",
-        response_model=LookupTable,
+        response_model=LookupTable | CoatedLookupTable,
         responses={200: {"content": files}},
         summary="A lookup table of R or of the albedo, with its interpolation error",
     )

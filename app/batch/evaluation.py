@@ -7,14 +7,16 @@ from typing import TypeVar
 
 import numpy as np
 
-from app.batch.presets import resolved
+from app.batch.presets import LAYERS, resolved
 from app.batch.rows import MEDIA, Fault, Hints, Index, Rows, parted
-from app.optics.errors import UnknownName
+from app.materials.films import Film, film_rows, layer_of, read_layers, resolve_film
+from app.optics.errors import OpticsError, UnknownName
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.optics.parameters import Array, Parameter
-from app.optics.quantities import QUANTITIES
+from app.optics.parameters import K_T, N_T, WAVELENGTH_NM, Array, Parameter
+from app.optics.quantities import QUANTITIES, of_films
 from app.optics.registry import Model, Registry
+from app.optics.stack import D_LINE_NM, Stack
 
 T = TypeVar("T")
 
@@ -95,6 +97,67 @@ class _Task:
             self._evaluate(model, quantity, given, asked)
 
     def _evaluate(self, model: Model, quantity: str, given: list[str], which: Index) -> None:
+        if LAYERS not in self.rows.names:
+            self._bare(model, quantity, given, which)
+            return
+        codes, distinct = self.rows.names[LAYERS]
+        for code, asked in parted(codes[which], which):
+            if code < 0:
+                self._bare(model, quantity, given, asked)
+            elif model.id == "exact":
+                self._coated(quantity, distinct[code], asked)
+            else:
+                told = "exact where there are layers, which no other knows"
+                self.refuse(asked, "model", repeat(model.id), told)
+
+    def _coated(self, quantity: str, text: str, which: Index) -> None:
+        """Answer rows that have the same layers."""
+        wavelength_nm = np.full(which.size, np.nan)
+        if WAVELENGTH_NM.name in self.rows.numbers:
+            wavelength_nm = self._at(WAVELENGTH_NM.name, which)
+        try:
+            films = read_layers(text)
+            media = [film_rows(film, wavelength_nm) for film in films]
+        except OpticsError as error:
+            self.refuse(which, LAYERS, repeat(error.value), error.allowed)
+            return
+        known = np.ones(which.size, np.bool_)
+        for film, (n, k) in zip(films, media, strict=True):
+            for place in np.flatnonzero(known & ~(N_T.admits(n) & K_T.admits(k))).tolist():
+                known[place] = False
+                fault = self._unknown(film, float(wavelength_nm[place]))
+                self.outcome.faults[int(which[place])] = fault
+        if not known.any():
+            return
+        which = which[known]
+        at = np.where(np.isnan(wavelength_nm[known]), D_LINE_NM, wavelength_nm[known])
+        n_i, n_t, k_t, theta_i_deg = (self._numbers(p.name, p, which) for p in MEDIA)
+        try:
+            layers = [
+                layer_of(
+                    film,
+                    _one_if_equal(n[known]),
+                    _one_if_equal(k[known]),
+                    film.thickness_nm or 0.0,
+                )
+                for film, (n, k) in zip(films, media, strict=True)
+            ]
+            stack = Stack(n_i, layers, n_t, k_t, wavelength_nm=_one_if_equal(at))
+            values = of_films(quantity, stack, Incidence.from_degrees(theta_i_deg))
+        except OpticsError as error:
+            self.refuse(which, error.parameter, repeat(error.value), error.allowed)
+            return
+        self.outcome.values[which] = values
+
+    def _unknown(self, film: Film, wavelength_nm: float) -> Fault:
+        """Say why a layer is not known at a wavelength, in the words of `/snell`."""
+        try:
+            index, _ = resolve_film(film, None if np.isnan(wavelength_nm) else wavelength_nm)
+        except OpticsError as error:
+            return Fault(error.parameter, error.value, error.allowed)
+        return Fault(LAYERS, film.spelled, f"a film of an index that can be; this one is {index:g}")
+
+    def _bare(self, model: Model, quantity: str, given: list[str], which: Index) -> None:
         if which.size == 0:
             return
         n_i, n_t, k_t, theta_i_deg = (self._numbers(p.name, p, which) for p in MEDIA)

@@ -35,6 +35,8 @@ class _Side(NamedTuple):
     """Whether only what does not absorb may."""
 
 
+LAYERS = "layers"
+
 _SIDES = {
     "material": _Side((N_T.name, K_T.name), is_transparent=False),
     "incident": _Side((N_I.name,), is_transparent=True),
@@ -52,7 +54,8 @@ def resolved(rows: Rows) -> Rows:
     task.refuse_what_contradicts()
     for side in _SIDES:
         task.replace(side)
-    numbers = {name: task.numbers[name] for name in task.numbers if name != WAVELENGTH_NM.name}
+    lost = () if LAYERS in rows.names else (WAVELENGTH_NM.name,)
+    numbers = {name: task.numbers[name] for name in task.numbers if name not in lost}
     names = {name: column for name, column in rows.names.items() if name not in _SIDES}
     return Rows(rows.count, numbers, names, task.faults)
 
@@ -65,6 +68,8 @@ class _Task:
         self.faults = dict(rows.faults)
         self._count = rows.count
         self._given = {side: rows.names[side] for side in _SIDES if side in rows.names}
+        none = np.zeros(rows.count, np.bool_)
+        self._layered = rows.names[LAYERS].codes >= 0 if LAYERS in rows.names else none
         self._right = np.ones(rows.count, np.bool_)
         self._right[list(self.faults)] = False
         left_out = np.broadcast_to(np.nan, rows.count)
@@ -82,7 +87,7 @@ class _Task:
 
     def refuse_what_contradicts(self) -> None:
         """Refuse wavelengths that are none or of no use, and numbers beside what replaces them."""
-        anything = np.zeros(self._count, np.bool_)
+        anything = self._layered.copy()
         for side, column in self._given.items():
             named = column.codes >= 0
             anything |= named

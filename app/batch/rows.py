@@ -13,8 +13,8 @@ from app.optics.registry import Registry
 MEDIA = (N_I, N_T, K_T, THETA_I_DEG)
 """The numbers of a row that every model takes."""
 
-NAMES = ("model", "quantity", "material", "incident")
-"""The names of a row: `exact` and `R` where left out; presets in the place of numbers."""
+NAMES = ("model", "quantity", "material", "incident", "layers")
+"""The words of a row: `exact` and `R` where left out; presets in the place of numbers; films."""
 
 THREE = "R, G and B are three questions here, one each; /curves takes three numbers at once"
 """What is said to those who give a triple of a parameter that other routes take three of."""

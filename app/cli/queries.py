@@ -139,6 +139,20 @@ COMMANDS = (
         help="What the literature claims, and what is measured.",
         sheets=tables.listed("claims", "verdict", "id", "found"),
     ),
+    Command(
+        name="film",
+        route="/films/spectrum",
+        help="Films over the wavelength: fresnel-explorer film --layers MgF2:99.6 --material BK7",
+        sheets=tables.curves,
+        in_table={"step_nm": "20"},
+    ),
+    Command(
+        name="film-solve",
+        route="/films/solve",
+        help="Thicknesses that reach something: fresnel-explorer film-solve --layers MgF2 "
+        "--material BK7 --wavelength_nm 550",
+        sheets=tables.listed("solutions", "layers", "R", "T", "A", "hex", "delta_e"),
+    ),
 )
 
 

@@ -15,6 +15,7 @@ from rich.table import Table
 
 from app.answers.conversions import Conversions
 from app.answers.curves import Curves
+from app.answers.film_spectrum import FilmSpectrum
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,8 +77,8 @@ def several(*parts: Sheets) -> Sheets:
     return lambda answer: [sheet for part in parts for sheet in part(answer)]
 
 
-def curves(answer: Curves) -> list[Sheet]:
-    """An angle a row, a curve a column."""
+def curves(answer: Curves | FilmSpectrum) -> list[Sheet]:
+    """An angle or a wavelength a row, a curve a column."""
     columns = answer.table().columns
     return [Sheet(list(columns), list(zip(*columns.values(), strict=True)))]
 

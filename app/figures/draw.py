@@ -99,6 +99,8 @@ def _curve_lines(answer: Curves, context: Context) -> list[go.Scatter]:
         if model == "exact" and quantity in _DASHES:
             line = {"color": look.colors[quantity], "dash": _DASHES[quantity], "width": 1.8}
             lines.append(_line(*points, quantity, line))
+        elif model == "exact" and quantity == "A":
+            lines.append(_line(*points, "A", {"color": look.colors["edge"], "dash": "dashdot"}))
         elif model == "exact" and quantity == "R":
             exact.append(_line(*points, "exact R", look.line("exact")))
         elif quantity.startswith("R"):
@@ -140,7 +142,8 @@ def explore(answer: Curves, context: Context) -> go.Figure:
     """One ray and the curves of its surface, with a mark at the ray's angle."""
     look, interface, theta = context.look, answer.interface, context.query.theta_i_deg
     figure = make_subplots(1, 2, column_widths=[0.36, 0.64], horizontal_spacing=0.09)
-    _rays(figure, ray(_numbers(interface), Incidence.from_degrees(theta)), look)
+    coated = context.query.coated()
+    _rays(figure, ray(_numbers(interface), Incidence.from_degrees(theta), coated), look)
     for line in _curve_lines(answer, context):
         figure.add_trace(line, row=1, col=2)
     figure.update_xaxes(look.axis(ANGLE, **DEGREES), row=1, col=2)
@@ -158,7 +161,11 @@ def explore(answer: Curves, context: Context) -> go.Figure:
                 row=1,
                 col=2,
             )
-    figure.update_layout(look.layout(), title_text=f"Reflection at {theta:g}°, {media(interface)}")
+    films = (
+        "" if coated is None else f", films {context.query.layers} at {coated.wavelength_nm:g} nm"
+    )
+    title = f"Reflection at {theta:g}°, {media(interface)}{films}"
+    figure.update_layout(look.layout(), title_text=title)
     return figure
 
 

@@ -14,13 +14,14 @@ import numpy as np
 from app.materials.errors import NoSpectrum
 from app.materials.media import (
     Resolved,
+    constants_at,
     default_catalog,
     resolve_layer,
 )
 from app.materials.spectrum import UNKNOWN_K
-from app.optics.errors import NotAllowed, OpticsError
+from app.optics.errors import NotAllowed, OpticsError, OutOfRange
 from app.optics.parameters import K_T, LAYER_K, LAYER_N, N_T, THICKNESS_NM, Array
-from app.optics.stack import MOST_LAYERS
+from app.optics.stack import MOST_LAYERS, Layer
 
 SPELLING = (
     "MEDIUM:NM, or MEDIUM:NM:incoherent, from the incident side and separated by commas; MEDIUM is a "
@@ -132,6 +133,15 @@ def reported_as_layers(film: Film) -> Iterator[None]:
         raise
 
 
+def layer_of(film: Film, n: float | Array, k: float | Array, thickness_nm: float | Array) -> Layer:
+    """Make a layer of the core; what it refuses is the layer as it was written."""
+    try:
+        return Layer(n, k, thickness_nm, incoherent=film.incoherent)
+    except OutOfRange as error:
+        told = f"one whose {error.parameter} is {error.allowed}"
+        raise NotAllowed("layers", film.spelled, told) from None
+
+
 def resolve_film(film: Film, wavelength_nm: float | None) -> tuple[complex, Resolved | None]:
     """Index of a layer at a wavelength, and the preset that it comes from.
 
@@ -145,6 +155,35 @@ def resolve_film(film: Film, wavelength_nm: float | None) -> tuple[complex, Reso
     with reported_as_layers(film):
         resolved = resolve_layer(film.medium, wavelength_nm)
     return complex(resolved.constants.n_absolute, resolved.constants.k or 0.0), resolved
+
+
+def film_rows(film: Film, wavelength_nm: Array) -> tuple[Array, Array]:
+    """n and k of a layer at many wavelengths, as `resolve_film` has them at one.
+
+    Parameters
+    ----------
+    film
+        The layer.
+    wavelength_nm
+        Wavelengths in nm; NaN for the material's own.
+
+    Returns
+    -------
+    tuple
+        n, NaN where the material is not known, and k.
+
+    Raises
+    ------
+    UnknownMaterial
+        If there is no such material.
+    """
+    if film.index is not None:
+        shape = wavelength_nm.shape
+        return np.full(shape, film.index.real), np.full(shape, film.index.imag)
+    with reported_as_layers(film):
+        preset = default_catalog().get(film.medium)
+    n, k = constants_at(preset, wavelength_nm)
+    return n, np.where(np.isnan(k), 0.0, k)
 
 
 def film_constants(film: Film, wavelength_nm: Array | None) -> Constants:

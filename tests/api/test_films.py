@@ -144,3 +144,21 @@ def test_a_layer_is_spelled_as_it_can_be_read() -> None:
         "MgF2", "0.055+3.32i", "BK7", "rii:main/Ag/Johnson", "own:abc",
     ]  # fmt: skip
     assert read_layers(",".join(film.spelled for film in films)) == films
+
+
+def test_a_table_of_a_coated_surface(ask: Ask) -> None:
+    told = json_of(ask("/lut", layers="MgF2:99.6", material="BK7", size=64, wavelength_nm=550))
+    assert told["layers"][0]["material"]["id"] == "MgF2-o"
+    mu = np.linspace(0.0, 1.0, 64)
+    for j in (0, 20, 63):
+        ray = ask(
+            "/snell",
+            layers="MgF2:99.6",
+            material="BK7",
+            wavelength_nm=550,
+            theta_i_deg=np.degrees(np.arccos(mu[j])),
+        )
+        assert told["texels"][j] == pytest.approx(json_of(ray)["R"], rel=1e-7)
+    assert 0.0 < told["error"]["max_abs"] < 0.01
+    assert error_of(ask("/lut", layers="1.38:100", over="mu,n_t"))["parameter"] == "over"
+    assert error_of(ask("/lut", layers="1.38:100", model="schlick"))["parameter"] == "model"

@@ -14,7 +14,7 @@ from app.answers.curves import CoatedCurves, Curves
 from app.answers.error_grids import ErrorMap, ErrorSweep
 from app.answers.errors import Errors
 from app.answers.interface import InterfaceFacts
-from app.answers.lookup import LookupErrors, LookupTable
+from app.answers.lookup import CoatedLookupTable, LookupErrors, LookupTable
 from app.answers.models import RegisteredModel
 from app.answers.recommendation import Recommendation
 from app.answers.snell import Amplitude, CoatedRay, Ray
@@ -47,7 +47,7 @@ OUTPUTS = {
     "/lut/errors": LookupErrors,
     "/recommend": Recommendation,
 }
-WITH_LAYERS = {"/snell": CoatedRay, "/curves": CoatedCurves}
+WITH_LAYERS = {"/snell": CoatedRay, "/curves": CoatedCurves, "/lut": CoatedLookupTable}
 OWN = [(model, p) for model in default_registry().values() for p in model.parameters]
 
 

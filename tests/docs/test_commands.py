@@ -33,6 +33,8 @@ ASKED: dict[str, tuple[str, dict[str, str]]] = {
     "convert": ("", {"from": "rg", "r": "0.5", "g": "0.25"}),
     "models": ("", {"fields": "id,title,kind,applies_to"}),
     "claims": ("", {"verdict": "does not hold"}),
+    "film": ("", {"layers": "MgF2:99.6", "material": "BK7", "step_nm": "100"}),
+    "film-solve": ("", {"layers": "1.38", "n_t": "1.52", "thickness_nm": "0..200:101"}),
 }
 
 

@@ -3,7 +3,7 @@
 from typing import Any
 
 from app.api.evaluate.arrow import MEDIA_TYPE
-from app.api.params import InterfaceQuery
+from app.api.params import LayersQuery
 from app.batch.rows import MEDIA
 from app.optics.parameters import THETA_I_DEG, Parameter
 from app.optics.quantities import QUANTITIES
@@ -29,6 +29,7 @@ _EXAMPLE = {
         {"n_t": 0.27, "k_t": 2.9, "theta_i_deg": 45, "quantity": "Rp"},
         {"n_t": 1.5, "theta_i_deg": 60, "model": "schlick", "schlick.F0": 0.05},
         {"material": "Au", "incident": "water", "wavelength_nm": 550, "theta_i_deg": [0, 60]},
+        {"material": "BK7", "layers": "MgF2:99.6", "wavelength_nm": 550, "quantity": "Rp"},
     ]
 }
 
@@ -99,13 +100,13 @@ def _body(registry: Registry) -> dict[str, Any]:
 
 def _presets() -> dict[str, Any]:
     """What stands in the place of numbers, as the routes that take a single one describe it."""
-    told = InterfaceQuery.model_json_schema()["properties"]
+    told = LayersQuery.model_json_schema()["properties"]
     return {
         name: {
             "description": told[name]["description"],
             **next(kind for kind in told[name]["anyOf"] if kind["type"] != "null"),
         }
-        for name in ("material", "incident", "wavelength_nm")
+        for name in ("material", "incident", "wavelength_nm", "layers")
     }
 
 
