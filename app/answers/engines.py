@@ -49,7 +49,7 @@ class MeasuredEngines:
 
 
 @answer
-class LargestError:
+class FarthestAngle:
     """Where a curve is farthest from another."""
 
     max_abs: float
@@ -57,7 +57,7 @@ class LargestError:
     channel: Channel
 
     @classmethod
-    def of(cls, error: Array, engine: Engine) -> LargestError:
+    def of(cls, error: Array, engine: Engine) -> FarthestAngle:
         """Find the largest of rows of angles and columns of channels."""
         size = np.abs(error)
         row, column = np.unravel_index(int(np.argmax(size)), size.shape)
@@ -99,11 +99,11 @@ class EngineCurve:
     """What was typed in, by the engine's own names."""
     reflectance: Rows
     """A row an angle of red, green and blue."""
-    error: LargestError
+    error: FarthestAngle
     """Farthest from the boundary, among the angles measured."""
     model: str | None
     """The model of /models that explains the curve, if one does."""
-    model_error: LargestError | None
+    model_error: FarthestAngle | None
     """Farthest from that model, among the angles measured."""
 
     @classmethod
@@ -114,12 +114,12 @@ class EngineCurve:
         if model is not None:
             incidence = Incidence.from_degrees(engine.theta_i_deg[:, None])
             values = registry[model](curve.medium.interface, incidence)
-            distance = LargestError.of(curve.reflectance - values, engine)
+            distance = FarthestAngle.of(curve.reflectance - values, engine)
         return filled(
             cls,
             curve,
             medium=curve.medium.name,
-            error=LargestError.of(curve.reflectance - engine.exact(curve.medium), engine),
+            error=FarthestAngle.of(curve.reflectance - engine.exact(curve.medium), engine),
             model=model,
             model_error=distance,
         )

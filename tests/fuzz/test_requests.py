@@ -65,8 +65,8 @@ class Client:
 @pytest.fixture(scope="module")
 def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
     # A small cache hides no growth; a connection kept long is not closed while a request sets out.
-    limits = {"FRESNEL_CACHE_BYTES": "8000000", "FRESNEL_KEEP_ALIVE_S": "600"}
-    with serving(tmp_path_factory.mktemp("fuzz"), **limits) as running:
+    folder = tmp_path_factory.mktemp("fuzz")
+    with serving(folder, FRESNEL_CACHE_BYTES="8000000", FRESNEL_KEEP_ALIVE_S="600") as running:
         yield running
 
 
