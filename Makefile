@@ -12,7 +12,7 @@ BROWSERS := chromium chromium-browser google-chrome-stable google-chrome
 export PATH := $(CURDIR)/$(BIN):$(CURDIR)/node_modules/.bin:$(PATH)
 
 .NOTPARALLEL:
-.PHONY: help run test format lint types unit browser fuzz bench lock audit vendor readme pictures icons chromium shell glslang clean
+.PHONY: help run test format lint types unit browser fuzz bench lock audit lowest vendor readme pictures icons chromium shell glslang clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -59,9 +59,20 @@ lock: $(BIN)/python ## recompute the hash-locked requirement files from pyprojec
 	$(COMPILE) pyproject.toml --extra arrow --extra cluster --group build --group test -c requirements.lock -o requirements-test.lock
 	$(COMPILE) --group node -o requirements-node.lock
 
+# Strict: what could not be looked up is no better than what was found wanting.
 audit: $(BIN)/python ## look the locked dependencies up among the known vulnerabilities
 	$(INSTALL) pip-audit
-	$(BIN)/pip-audit --require-hashes --disable-pip -r requirements.lock
+	$(BIN)/pip-audit --strict --require-hashes --disable-pip -r requirements.lock
+
+# The lower ends of the ranges in pyproject.toml; the lock files are their upper ends.
+LOWEST := .venv-lowest
+lowest: $(BIN)/python ## run the tests that need no browser with the lowest versions that are allowed
+	$(INSTALL) uv
+	$(BIN)/uv venv --no-config --quiet --clear --python $(BIN)/python $(LOWEST)
+	$(BIN)/uv pip install --no-config --quiet --python $(LOWEST)/bin/python --resolution lowest-direct \
+	  -r pyproject.toml --extra arrow --extra figures --group build --group test
+	$(BIN)/uv pip install --no-config --quiet --python $(LOWEST)/bin/python --no-deps --no-build-isolation -e .
+	PATH="$(CURDIR)/$(LOWEST)/bin:$$PATH" $(PYTEST) tests --ignore tests/browser
 
 vendor: $(VENV)/test.stamp node_modules/stamp ## refill static/vendor from the npm packages
 	python tools/vendor.py
@@ -116,5 +127,5 @@ $$root apt-get update && $$root apt-get install -y --no-install-recommends $(1) 
 endef
 
 clean: ## remove everything that make made
-	rm -rf $(VENV) node_modules .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) $(LOWEST) node_modules .pytest_cache .mypy_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -prune -exec rm -rf {} +

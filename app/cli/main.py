@@ -50,9 +50,10 @@ def serve(
     # Told, not refused: Kubernetes, for one, names variables after the services that it runs.
     for sentence in without_effect(os.environ):
         typer.echo(sentence, err=True)
-    given = {"host": host, "port": port, "workers": workers}
+    options = {"host": host, "port": port, "workers": workers}
+    given = {name: value for name, value in options.items() if value is not None}
     try:
-        settings = Settings.model_validate({k: v for k, v in given.items() if v is not None})
+        settings = Settings.model_validate(given)
     except ValidationError as error:
         for wrong in error.errors():
             name = str(wrong["loc"][0])
