@@ -15,6 +15,8 @@ from app.optics.registry import Registry
 if TYPE_CHECKING:
     import pyarrow as pa
 
+_LONGEST_NAME = 20_000
+
 
 class WrongColumn(Exception):
     """A column that is not known or cannot be read."""
@@ -80,14 +82,32 @@ def _names(name: str, column: pa.Array) -> Names:
 
     if not _is_text(column.type):
         raise WrongColumn(name, f"of type {column.type}; text is wanted")
-    if not pa.types.is_dictionary(column.type):
-        column = column.dictionary_encode()
+    is_encoded = pa.types.is_dictionary(column.type)
+    if not is_encoded:
+        column = _clipped(column).dictionary_encode()
     codes = column.indices.cast(pa.int64()).fill_null(-1).to_numpy(zero_copy_only=False)
-    distinct = column.dictionary.to_pylist()
-    # A dictionary of its own may hold null, or what no row says.
-    if None in distinct:
-        codes = np.where(codes == distinct.index(None), -1, codes)
-    return Names(codes.astype(np.intp), [text or "" for text in distinct])
+    dictionary = column.dictionary
+    if len(dictionary) > codes.size:  # it holds much that no row says
+        said, codes = np.unique(codes, return_inverse=True)
+        dictionary = dictionary.take(pa.array(said, mask=said < 0))
+    if is_encoded:
+        dictionary = _clipped(dictionary)
+    # One of its own may hold null, and the same twice.
+    distinct: dict[str, int] = {}
+    places = [
+        -1 if text is None else distinct.setdefault(text, len(distinct))
+        for text in dictionary.to_pylist()
+    ]
+    # The last stands for rows that say nothing: their code is -1.
+    return Names(np.array([*places, -1], np.intp)[codes], list(distinct))
+
+
+def _clipped(texts: pa.Array) -> pa.Array:
+    """Shorten what is too long to be a name, and is none when it is shorter either."""
+    import pyarrow.compute as pc
+
+    longest = pc.max(pc.binary_length(texts)).as_py() or 0
+    return texts if longest <= _LONGEST_NAME else pc.utf8_slice_codeunits(texts, 0, _LONGEST_NAME)
 
 
 def _is_text(kind: pa.DataType) -> bool:

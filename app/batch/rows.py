@@ -1,5 +1,7 @@
 """Rows of questions, in columns."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
@@ -55,6 +57,19 @@ class Rows:
     """Those of `NAMES` that are there."""
     faults: Mapping[int, Fault] = field(default_factory=dict)
     """What is known to be wrong with a row before it is looked at."""
+
+    def part(self, start: int, stop: int) -> Rows:
+        """Some of the rows, in order; all of them are these."""
+        if start == 0 and stop >= self.count:
+            return self
+        stop = min(stop, self.count)
+        those = slice(start, stop)
+        return Rows(
+            stop - start,
+            {name: column[those] for name, column in self.numbers.items()},
+            {name: Names(codes[those], said) for name, (codes, said) in self.names.items()},
+            {row - start: fault for row, fault in self.faults.items() if start <= row < stop},
+        )
 
 
 def number_columns(registry: Registry) -> dict[str, Parameter]:

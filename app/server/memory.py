@@ -5,6 +5,8 @@ import sys
 from contextlib import suppress
 
 _M_ARENA_MAX = -8
+_M_MMAP_THRESHOLD, _LARGE = -3, 8_000_000
+_M_TRIM_THRESHOLD, _KEPT = -1, 32_000_000
 
 
 def share_one_heap() -> None:
@@ -12,8 +14,12 @@ def share_one_heap() -> None:
 
     glibc gives each thread a heap of its own and keeps in each what was freed there, so that after
     some large calls, computed in this thread and that, a server would hold more than any of them
-    needs: a fifth more at the peak. Other C libraries are left alone.
+    needs: a fifth more at the peak. What is large is taken from the system and given back; else a body
+    that grows would leave holes of all the sizes that it had. Other C libraries are left alone.
     """
     if sys.platform == "linux":
         with suppress(AttributeError, OSError):
-            ctypes.CDLL(None).mallopt(_M_ARENA_MAX, 1)
+            library = ctypes.CDLL(None)
+            library.mallopt(_M_ARENA_MAX, 1)
+            library.mallopt(_M_MMAP_THRESHOLD, _LARGE)
+            library.mallopt(_M_TRIM_THRESHOLD, _KEPT)

@@ -17,7 +17,10 @@ import numpy as np
 import pyarrow as pa
 import pytest
 from fastapi import FastAPI
+from hypothesis import given
+from hypothesis import strategies as st
 
+import app.api.evaluate.items as app_items
 from app.optics.registry import default_registry
 from app.server.pool import Pool
 from tests.api.shape import error_of, rows_of
@@ -57,7 +60,7 @@ def post(app: FastAPI) -> Post:
 def results(response: httpx.Response) -> list[Any]:
     assert response.status_code == 200, response.text
     answer = response.json()
-    assert set(answer) == {"convention", "results", "failed"}
+    assert set(answer) - {"failed_by"} == {"convention", "results", "failed"}
     assert answer["failed"] == sum(isinstance(r, dict) for r in answer["results"])
     found: list[Any] = answer["results"]
     return found
@@ -214,6 +217,112 @@ def test_what_is_wrong_stands_in_its_place(
 )
 def test_a_body_that_is_none(post: Post, body: bytes) -> None:
     assert error_of(post(body))["parameter"] == "items"
+
+
+REPEATED = [
+    (b'{"n_t":1.5,"n_t":2}', "n_t"),
+    (b'{"theta_i_deg":[1],"n_t":1.5,"theta_i_deg":2}', "theta_i_deg"),
+    (b'{"model":"exact","model":"exact"}', "model"),
+    (b'{"n_t":1.5,"n\\u005ft":1.5}', "n_t"),
+]
+
+
+@pytest.mark.parametrize(("item", "parameter"), REPEATED)
+def test_a_field_given_twice_is_refused(post: Post, item: bytes, parameter: str) -> None:
+    good = b'{"n_t":1.5}'
+    answered = results(post(b'{"items":[' + b",".join([good, item, good, b"5"]) + b"]}"))
+    assert answered[0] == answered[2] == pytest.approx(0.04)
+    (error,) = answered[1]["errors"]
+    assert (error["parameter"], error["message"]) == (parameter, "given more than once")
+    assert error_of(post(b'{"items":[],"items":[{}]}'))["message"].startswith("`items` is given")
+
+
+def test_a_colon_in_a_name_is_no_field(post: Post) -> None:
+    answered = results(post([{"material": "rii:x/y:z"}, {"model": "a:b"}, {"n_t": 1.5}]))
+    assert [answered[i]["errors"][0]["parameter"] for i in (0, 1)] == ["material", "model"]
+    assert answered[2] == pytest.approx(0.04)
+
+
+ITEMS = st.lists(
+    st.fixed_dictionaries(
+        {},
+        optional={
+            "n_t": st.floats(-1, 3) | st.just("glass"),
+            "theta_i_deg": st.floats(0, 90) | st.lists(st.floats(0, 90), max_size=4),
+            "model": st.sampled_from(["exact", "schlick", "},{", '"},', "[:"]),
+            "odd": st.lists(st.fixed_dictionaries({"a": st.integers()}), max_size=3),
+        },
+    )
+    | st.integers()
+    | st.lists(st.none(), max_size=2),
+    max_size=20,
+)
+
+
+@given(items=ITEMS, indent=st.sampled_from([None, 1]), window=st.integers(10, 200))
+def test_items_are_the_same_wherever_the_body_is_parted(
+    app: FastAPI, items: list[Any], indent: int | None, window: int
+) -> None:
+    text = json.dumps({"items": items}, indent=indent).encode()
+    whole = results(poster(app)(text))
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(app_items, "_WINDOW", window)
+        patched.setattr(app_items, "_LONGEST_ANGLE", 10_000)
+        assert results(poster(app)(text)) == whole
+    assert len(whole) == len(items)
+
+
+@pytest.mark.parametrize("wrong", [{"n_t": -1}, {"odd": 1}, 5])
+def test_the_first_hundred_are_told_in_full_and_the_others_counted(post: Post, wrong: Any) -> None:
+    items = [{"n_t": 1.5}, *[wrong] * 150, {"k_t": -1.0}, {}]
+    answer = post(items).json()
+    answered = answer["results"]
+    assert answered[0] == answered[-1] == pytest.approx(0.04)
+    assert [entry["index"] for entry in answered[1:-1]] == list(range(1, 152))
+    assert [len(entry["errors"]) for entry in answered[1:-1]] == [1] * 100 + [0] * 51
+    assert answer["failed"] == sum(answer["failed_by"].values()) == 151
+    assert answer["failed_by"]["k_t"] == 1
+    rows = rows_of(post(items, accept="text/csv"))
+    table = from_arrow(post(items, accept=ARROW))
+    for errors in ([row["error"] for row in rows], table["error"].to_pylist()):
+        assert errors[1] == errors[100]
+        assert len(errors[1]) > 0
+        assert errors[101].endswith(": wrong; 100 rows are told in full")
+    few = post(items[:50]).json()
+    assert (few["failed"], "failed_by" in few) == (49, False)
+
+
+def test_a_long_item_is_wrong_as_a_short_one_is(post: Post) -> None:
+    """It is answered in parts, of which one has the wrong angle."""
+    theta = [0.0] * 200_000
+    theta[150_000] = 91.0
+    answered = results(post([{"theta_i_deg": theta}, {"theta_i_deg": theta[:100_000]}]))
+    assert answered[0]["errors"][0]["value"] == 91.0
+    assert len(answered[1]) == 100_000
+    table = from_arrow(post([{"theta_i_deg": theta}, {}], accept=ARROW))
+    assert table["value"].null_count == 200_000
+    assert table["item"].to_pylist()[-1] == 1
+
+
+def test_many_small_batches_are_as_one(post: Post) -> None:
+    """Each with a dictionary of its own, or all with one, of which rows say a little."""
+    names = ["Au", None, "water", "nope", *(f"x{i}" for i in range(1000))]
+    for shared in (False, True):
+        batches = []
+        for i in range(60):
+            said = pa.array(names if shared else names[i % 3 :] + names[: i % 3])
+            codes = pa.array([i % 4, 0, None], pa.int32())
+            material = pa.DictionaryArray.from_arrays(codes, said)
+            batches.append(pa.record_batch({"material": material}))
+        sink = io.BytesIO()
+        with pa.ipc.new_stream(sink, batches[0].schema) as stream:
+            for batch in batches:
+                stream.write_batch(batch)
+        found = from_arrow(post(sink.getvalue(), ARROW))["value"].to_pylist()
+        asked = [name for batch in batches for name in batch["material"].to_pylist()]
+        expected = results(post([{} if name is None else {"material": name} for name in asked]))
+        expected = [None if isinstance(one, dict) else one for one in expected]
+        assert found == expected
 
 
 def test_csv(post: Post) -> None:

@@ -207,7 +207,7 @@ def test_columns_of_an_arrow_stream(post: Post, ask: Ask, encoded: bool) -> None
         assert values[row] == pytest.approx(ask("/snell", **told).json()["R"], rel=1e-12)
         assert errors[row] is None
     assert values[3::5] == values[4::5] == [None] * 1000
-    assert set(errors[3::5]) == {errors[3]}
+    assert set(errors[3:250:5]) == {errors[3]}  # the first hundred, told in full
     assert errors[3].startswith("material = nope: the id or an alias of a material")
     assert errors[4].startswith("incident = Au: a transparent medium")
 
@@ -221,10 +221,10 @@ def test_three_numbers_in_a_column(post: Post) -> None:
 def test_what_a_name_may_have_meant_is_looked_for_a_few_times_alone(
     post: Post, column: str
 ) -> None:
-    items = [{("odd" + str(i) if column == "odd" else column): f"au{i}x"} for i in range(500)]
+    items = [{("odd" + str(i) if column == "odd" else column): f"au{i}x"} for i in range(100)]
     messages = [answered["errors"][0]["message"] for answered in results(post(items))]
-    assert sum("unknown; the nearest" in message for message in messages) == 500 - Hints.MOST
-    again = [items[0]] * 500
+    assert sum("unknown; the nearest" in message for message in messages) == 100 - Hints.MOST
+    again = [items[0]] * 100
     (message,) = {answered["errors"][0]["message"] for answered in results(post(again))}
     assert message == messages[0]
 

@@ -20,6 +20,10 @@ if TYPE_CHECKING:
 
 MEDIA_TYPE = "application/vnd.apache.arrow.stream"
 
+_FEW_BATCHES = 16
+_SMALL_BATCH = 16_384
+"""Rows. Many batches that are smaller are put together first: each would be a piece of its own."""
+
 AVAILABLE = importlib.util.find_spec("pyarrow") is not None
 """Whether the extra `[arrow]` is installed."""
 
@@ -32,9 +36,9 @@ class Columns:
         self._registry = registry
 
     @property
-    def values(self) -> int:
-        """How many values it asks for."""
-        return int(self._table.num_rows)
+    def size(self) -> int:
+        """Bytes that it takes, those of the body among them."""
+        return int(self._table.get_total_buffer_size())
 
     def pieces(self, size: int) -> Iterator[Callable[[], Piece]]:
         """Part it into pieces of at most `size` rows."""
@@ -64,14 +68,20 @@ def read_arrow(body: bytes | bytearray, registry: Registry) -> Columns:
         _refuse_compressed(body)
         batches, values = [], 0
         with pa.ipc.open_stream(pa.py_buffer(body)) as stream:
+            rows_of(pa.RecordBatch.from_pylist([], schema=stream.schema), registry)
             for batch in stream:
                 values += batch.num_rows
                 if values > MOST_VALUES:
                     raise TooManyValues
                 batches.append(batch)
             table = pa.Table.from_batches(batches, stream.schema)
-        table.validate(full=True)  # the offsets in a stream may point anywhere
-        rows_of(pa.RecordBatch.from_pylist([], schema=table.schema), registry)
+        _validate(table)
+        if (
+            table.num_columns
+            and len(batches) > _FEW_BATCHES
+            and values < _SMALL_BATCH * len(batches)
+        ):
+            table = _put_together(table)
     except WrongColumn as error:
         raise BadParameters(
             {"parameter": error.column, "value": None, "message": error.message}
@@ -80,6 +90,72 @@ def read_arrow(body: bytes | bytearray, registry: Registry) -> Columns:
         message = f"no Arrow stream: {str(error)[:200]}"
         raise BadParameters({"parameter": "body", "value": None, "message": message}) from None
     return Columns(table, registry)
+
+
+def _validate(table: pa.Table) -> None:
+    """Check what is read, for the offsets in a stream may point anywhere; a dictionary once.
+
+    Raises
+    ------
+    pyarrow.ArrowException
+        If it is not what it says.
+    """
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    known: set[tuple[int, ...]] = set()
+    for chunk in (chunk for column in table.columns for chunk in column.chunks):
+        if not isinstance(chunk, pa.DictionaryArray):
+            chunk.validate(full=True)
+            continue
+        chunk.validate()
+        chunk.indices.validate(full=True)
+        reached = pc.min_max(chunk.indices)
+        if chunk.null_count < len(chunk) and not (
+            reached["min"].as_py() >= 0 and reached["max"].as_py() < len(chunk.dictionary)
+        ):
+            raise pa.ArrowInvalid("an index beyond its dictionary")
+        if (where := _address(chunk.dictionary)) not in known:
+            chunk.dictionary.validate(full=True)
+            known.add(where)
+
+
+def _put_together(table: pa.Table) -> pa.Table:
+    """Make one batch of many.
+
+    Batches often share a dictionary, each of which is taken once and as it is: to compare what is in
+    them would take as long as a hundred batches have entries together.
+    """
+    import pyarrow as pa
+
+    columns = []
+    for column in table.columns:
+        if not pa.types.is_dictionary(column.type):
+            columns.append(column.combine_chunks())
+            continue
+        starts: dict[tuple[int, ...], int] = {}
+        dictionaries, indices, size = [], [], 0
+        for chunk in column.chunks:
+            where = _address(chunk.dictionary)
+            if where not in starts:
+                starts[where] = size
+                dictionaries.append(chunk.dictionary)
+                size += len(chunk.dictionary)
+            part = chunk.indices.cast(pa.int64()).fill_null(-1).to_numpy(zero_copy_only=False)
+            indices.append(np.where(part < 0, -1, part + starts[where]))
+        codes = np.concatenate(indices)
+        columns.append(
+            pa.DictionaryArray.from_arrays(
+                pa.array(codes, mask=codes < 0), pa.concat_arrays(dictionaries)
+            )
+        )
+    return pa.table(columns, names=table.schema.names)
+
+
+def _address(dictionary: pa.Array) -> tuple[int, ...]:
+    buffers = [buffer for buffer in dictionary.buffers() if buffer is not None]
+    place = dictionary.offset, len(dictionary)
+    return *place, *(number for buffer in buffers for number in (buffer.address, buffer.size))
 
 
 def _refuse_compressed(body: bytes | bytearray) -> None:

@@ -1,15 +1,56 @@
 """Request bodies, read within bounds."""
 
-from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
+from __future__ import annotations
+
+from collections.abc import Callable
+from traceback import clear_frames
+from typing import TypeVar
 
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 
 from app.server.pool import Overloaded
 
-_AT_A_TIME = 2
 _IN_PARTS = " (FRESNEL_MAX_BODY_BYTES); send an Arrow stream, which takes less, or several calls"
+T = TypeVar("T")
+
+_SMALL = 65_536
+"""Bytes of a body that is always taken; the server keeps as many of each connection anyway."""
+
+
+class Held:
+    """What one request takes of the memory that all have together, until it is answered."""
+
+    def __init__(self, bodies: Bodies) -> None:
+        self._bodies = bodies
+        self._size = 0
+        self.body = bytearray()
+
+    def __enter__(self) -> Held:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.body = bytearray()
+        self.becomes(0)
+
+    def parsed(self, read: Callable[[bytearray], T]) -> T:
+        """Read the body, which is kept no longer.
+
+        An error would hold it, by the frames it came through, until Python looks for cycles.
+        """
+        body, self.body = self.body, bytearray()
+        try:
+            return read(body)
+        except Exception as error:
+            clear_frames(error.__traceback__)
+            raise
+        finally:
+            del body
+
+    def becomes(self, size: int) -> None:
+        """Hold so many bytes from now on."""
+        self._bodies.held += size - self._size
+        self._size = size
 
 
 class Bodies:
@@ -18,7 +59,7 @@ class Bodies:
     Parameters
     ----------
     limit
-        Bytes of the largest body; all that are being read may hold twice as many.
+        Bytes of the largest body; all that are read or being answered may take a quarter more.
     advice
         What to do with a larger one.
     """
@@ -26,33 +67,29 @@ class Bodies:
     def __init__(self, limit: int, advice: str = _IN_PARTS) -> None:
         self._limit = limit
         self._advice = advice
-        self._held = 0
+        self.held = 0
 
-    @asynccontextmanager
-    async def of(self, request: Request) -> AsyncIterator[bytearray]:
-        """Read a body, which counts as held until the context ends.
+    async def read(self, request: Request, held: Held) -> None:
+        """Read a body.
 
         Raises
         ------
         HTTPException
             413 if it is too large.
         Overloaded
-            If too many large ones are held.
+            If it is large, and what is being answered takes too much already.
         """
         if int(request.headers.get("content-length", "0")) > self._limit:
             raise self._too_large()
-        body = bytearray()
-        try:
-            async for chunk in request.stream():
-                self._held += len(chunk)
-                body += chunk
-                if len(body) > self._limit:
-                    raise self._too_large()
-                if self._held > _AT_A_TIME * self._limit:
-                    raise Overloaded("large bodies are being read, and no more are taken")
-            yield body
-        finally:
-            self._held -= len(body)
+        size = 0
+        async for chunk in request.stream():
+            held.body += chunk
+            size += len(chunk)
+            held.becomes(size)
+            if size > self._limit:
+                raise self._too_large()
+            if size > _SMALL and self.held > self._limit + self._limit // 4:
+                raise Overloaded("large calls are being answered, and no more are taken")
 
     def _too_large(self) -> HTTPException:
         return HTTPException(413, f"the body is larger than {self._limit} bytes{self._advice}")

@@ -11,7 +11,9 @@ from app.optics.registry import Registry
 
 _DESCRIPTION = """
 Up to 1,000,000 values of any models, media and quantities in one call, answered in the order asked.
-An item that is wrong does not keep the others from their answers: its error stands in its place.
+An item that is wrong does not keep the others from their answers: its error stands in its place. The
+first hundred errors are told in full; of the others it is said that there is one, and the end of a JSON
+answer counts them by parameter. A field that an item gives twice is an error.
 
 A body of `application/json` holds items; `application/vnd.apache.arrow.stream` columns of the same
 names, one row a value, null for what is left out. The answer is JSON, CSV or an Arrow stream by
@@ -118,6 +120,7 @@ _FAULT = {
         "index": {"type": "integer", "description": "Number of the item, from 0."},
         "errors": {
             "type": "array",
+            "description": "What is wrong; empty beyond the first hundred items that are.",
             "items": {
                 "type": "object",
                 "properties": {
@@ -147,6 +150,11 @@ _ANSWER = {
             },
         },
         "failed": {"type": "integer", "description": "How many items were wrong."},
+        "failed_by": {
+            "type": "object",
+            "additionalProperties": {"type": "integer"},
+            "description": "How many in which parameter, where more were wrong than are told in full.",
+        },
     },
     "required": ["convention", "results", "failed"],
 }

@@ -12,6 +12,10 @@ MOST_VALUES = 1_000_000
 """Values that one call may ask for."""
 
 
+MOST_TOLD = 100
+"""Items that are wrong and told in full; the others are counted."""
+
+
 class TooManyValues(Exception):
     """A body that asks for more than `MOST_VALUES`."""
 
@@ -33,8 +37,8 @@ class Questions(Protocol):
     """A body that has been read."""
 
     @property
-    def values(self) -> int:
-        """How many values it asks for."""
+    def size(self) -> int:
+        """Bytes that it takes until all is answered."""
 
     def pieces(self, size: int) -> Iterator[Callable[[], Piece]]:
         """Part it into pieces of about `size` values, each to be made when it is its turn."""
