@@ -185,6 +185,7 @@ WRONG = [
     ({"model": "lut_1d", "lut_1d.bits": "7"}, "lut_1d.bits", "7", "7"),
     ({"model": "lut_1d", "lut_1d.size": 2.5}, "lut_1d.size", 2.5, "whole"),
     (5, "items", 5, "object"),
+    ({"odd": 10**30}, "odd", str(10**30), "unknown"),
 ]
 
 

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 _LONGEST_VALUE = 200
 _LONGEST_MESSAGE = 1000
+_MOST_BITS = 63
 
 
 _ROWS = 65_536
@@ -211,4 +212,6 @@ def _clipped(fault: Fault) -> Fault:
         value = value[:_LONGEST_VALUE]
     elif isinstance(value, float) and not np.isfinite(value):
         value = str(value)
+    elif isinstance(value, int) and value.bit_length() > _MOST_BITS:  # JSON here has no longer ones
+        value = str(value)[:_LONGEST_VALUE] if value.bit_length() < 10_000 else None
     return Fault(parameter[:_LONGEST_VALUE], value, message[:_LONGEST_MESSAGE])

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
 from traceback import clear_frames
 from typing import TypeVar
 
@@ -90,6 +91,13 @@ class Bodies:
                 raise self._too_large()
             if size > _SMALL and self.held > self._limit + self._limit // 4:
                 raise Overloaded("large calls are being answered, and no more are taken")
+
+    @asynccontextmanager
+    async def of(self, request: Request) -> AsyncIterator[bytearray]:
+        """Read a body, as `read` does, which counts as held until the context ends."""
+        with Held(self) as held:
+            await self.read(request, held)
+            yield held.body
 
     def _too_large(self) -> HTTPException:
         return HTTPException(413, f"the body is larger than {self._limit} bytes{self._advice}")
