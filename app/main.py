@@ -29,6 +29,7 @@ from app.api import (
     materials,
     models,
     mystery,
+    polarization,
     recommend,
     shaders,
     snell,
@@ -162,6 +163,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     routers: list[APIRouter] = [
         curves.router(registry),
         snell.router(),
+        polarization.router(),
         films.router(),
         health.router(drain, pool),
         models.router(registry, settings.static_dir),

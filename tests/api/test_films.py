@@ -162,3 +162,37 @@ def test_a_table_of_a_coated_surface(ask: Ask) -> None:
     assert 0.0 < told["error"]["max_abs"] < 0.01
     assert error_of(ask("/lut", layers="1.38:100", over="mu,n_t"))["parameter"] == "over"
     assert error_of(ask("/lut", layers="1.38:100", model="schlick"))["parameter"] == "model"
+
+
+def test_mueller_and_jones_of_one_surface(ask: Ask) -> None:
+    """Light polarized at 45 degrees, reflected by a coated mirror, in both conventions."""
+    query = {"layers": "SiO2:100", "material": "Al", "theta_i_deg": 60, "stokes": "1,0,1,0"}
+    minus, plus = (
+        json_of(ask("/polarization", convention=c, **query)) for c in ("exp(-iwt)", "exp(+iwt)")
+    )
+    ray = json_of(ask("/snell", layers="SiO2:100", material="Al", theta_i_deg=60))
+    np.testing.assert_allclose(
+        minus["reflection"]["mueller"], plus["reflection"]["mueller"], atol=1e-15
+    )
+    assert minus["reflection"]["mueller"][0][0] == pytest.approx(ray["R"], rel=1e-12)
+    assert minus["transmission"]["mueller"][0][0] == pytest.approx(ray["T"], rel=1e-12)
+    r_p = minus["reflection"]["jones"][0][0]
+    assert (r_p["re"], r_p["im"]) == (ray["r_p"]["re"], ray["r_p"]["im"])
+    assert plus["reflection"]["jones"][0][0]["im"] == -r_p["im"]
+    beam = minus["reflection"]["beam"]
+    assert beam["degree_of_polarization"] == pytest.approx(1.0)
+    # S3 / S2 is the tangent of delta, with the hand that E_p E_s* has in exp(-iwt).
+    assert np.degrees(np.arctan2(*beam["stokes"][:1:-1])) == pytest.approx(ray["delta_deg"])
+
+
+def test_unpolarized_light_is_polarized_at_brewsters_angle(ask: Ask) -> None:
+    told = json_of(ask("/polarization", n_t=1.5, theta_i_deg=56.309932474020215))
+    assert told["reflection"]["beam"]["degree_of_polarization"] == pytest.approx(1.0, abs=1e-12)
+    assert told["reflection"]["beam"]["stokes"][1] < 0.0, "s alone"
+    assert told["incident"]["degree_of_polarization"] == 0.0
+    for stokes, message in (("1,1", "four numbers"), ("1,1,1,0", "at most S0^2")):
+        error = error_of(ask("/polarization", stokes=stokes))
+        assert error["parameter"] == "stokes"
+        assert message in error["message"]
+    error = error_of(ask("/polarization", layers="1.5:1e6:incoherent"))
+    assert "no amplitudes and no phases" in error["message"]
