@@ -13,9 +13,11 @@ from app.answers.film_media import FilmMedia, Side
 from app.answers.film_solve import FilmSolutions, Target, film_solutions
 from app.answers.film_spectrum import FilmSpectrum, film_spectrum
 from app.answers.materials.about import refuse_more_than
+from app.answers.pane import PaneCurves, pane_curves
 from app.api.materials.queries import ColorQuery, FrontQuery
 from app.api.params import (
     AngleQuery,
+    equal_samples,
     layers,
     number,
     preset_name,
@@ -27,6 +29,15 @@ from app.http.query import Count, DigitsQuery, LongQuery, Number, TableQuery
 from app.http.route import QueryRoute
 from app.materials.films import read_layers
 from app.optics.errors import NotAllowed
+from app.optics.pane import (
+    ABSORPTION_PER_M,
+    ASHRAE_B,
+    MARTIN_RUIZ_A_R,
+    N_BEHIND,
+    N_PANE,
+    THICKNESS_MM,
+    Pane,
+)
 from app.optics.parameters import K_T, N_T, THETA_I_DEG, THICKNESS_NM, Array, Parameter
 
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
@@ -227,6 +238,22 @@ class FilmSolveQuery(FilmQuery, AngleQuery, DigitsQuery, LongQuery):
         )
 
 
+class PaneQuery(TableQuery):
+    """A pane, and the modifiers' own parameters."""
+
+    n: Number = number(N_PANE)
+    thickness_mm: Number = number(THICKNESS_MM)
+    absorption_per_m: Number = number(ABSORPTION_PER_M)
+    n_behind: Number = number(N_BEHIND)
+    samples: Count = equal_samples(91)
+    b: Number = number(ASHRAE_B, alias="ashrae.b")
+    a_r: Number = number(MARTIN_RUIZ_A_R, alias="martin_ruiz.a_r")
+
+    def pane(self) -> Pane:
+        """The pane."""
+        return Pane(self.n, self.thickness_mm, self.absorption_per_m, self.n_behind)
+
+
 def router() -> APIRouter:
     """Routes about films."""
     routes = APIRouter(route_class=QueryRoute, tags=["films"])
@@ -245,5 +272,9 @@ def router() -> APIRouter:
     @routes.get("/films/solve", summary="Thicknesses for least R, a color, or quarter waves")
     def solve(query: Annotated[FilmSolveQuery, Query()]) -> FilmSolutions:
         return query.solutions()
+
+    @routes.get("/films/pane", summary="A pane over the angle, and incidence-angle modifiers")
+    def pane(query: Annotated[PaneQuery, Query()]) -> PaneCurves:
+        return pane_curves(query.pane(), query.samples, {"b": query.b, "a_r": query.a_r})
 
     return routes

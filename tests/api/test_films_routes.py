@@ -156,3 +156,31 @@ def test_refusals(ask: Ask, path: str, query: dict[str, Any], name: str, told: s
     error = error_of(ask(path, **query))
     assert error["parameter"] == name
     assert told in error["message"].lower() + error["message"]
+
+
+def test_a_pane_and_its_modifiers(ask: Ask) -> None:
+    told = json_of(ask("/films/pane", samples=91))
+    values = curves(told)
+    np.testing.assert_allclose(values["R"] + values["T"] + values["A"], 1.0, atol=1e-12)
+    exact = np.array(told["modifier"])
+    np.testing.assert_allclose(exact, values["T"] / values["T"][0], rtol=1e-12)
+    assert [each["id"] for each in told["modifiers"]] == [
+        "ashrae", "martin_ruiz", "physical", "schlick",
+    ]  # fmt: skip
+    for each in told["modifiers"]:
+        error = np.array(each["values"]) - exact
+        np.testing.assert_allclose(each["error"], error, atol=1e-15)
+        assert each["max_abs"] >= np.abs(error).max() > 0.0
+        assert each["max_abs"] >= each["max_abs_to_60"]
+        assert 0.8 < each["diffuse"] < 1.0
+    physical = json_of(ask("/films/pane", n_behind=1.526))["modifiers"][2]
+    assert physical["max_abs"] < 1e-8
+
+
+def test_a_modifier_takes_its_own_parameter(ask: Ask) -> None:
+    query = {"martin_ruiz.a_r": "0.3", "ashrae.b": "0.1", "samples": "3", "format": "csv"}
+    row = rows_of(ask("/films/pane", **query))[1]
+    mu = np.sqrt(0.5)
+    assert float(row["modifier.ashrae"]) == pytest.approx(1.0 - 0.1 * (1.0 / mu - 1.0))
+    expected = (1.0 - np.exp(-mu / 0.3)) / (1.0 - np.exp(-1.0 / 0.3))
+    assert float(row["modifier.martin_ruiz"]) == pytest.approx(expected)
