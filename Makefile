@@ -70,7 +70,7 @@ lowest: $(BIN)/python ## run the tests that need no browser with the lowest vers
 	$(INSTALL) uv
 	$(BIN)/uv venv --no-config --quiet --clear --python $(BIN)/python $(LOWEST)
 	$(BIN)/uv pip install --no-config --quiet --python $(LOWEST)/bin/python --resolution lowest-direct \
-	  -r pyproject.toml --extra arrow --extra figures --group build --group test
+	  -r pyproject.toml --extra arrow --extra cluster --extra figures --group build --group test
 	$(BIN)/uv pip install --no-config --quiet --python $(LOWEST)/bin/python --no-deps --no-build-isolation -e .
 	PATH="$(CURDIR)/$(LOWEST)/bin:$$PATH" $(PYTEST) tests --ignore tests/browser
 
