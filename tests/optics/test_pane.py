@@ -27,7 +27,7 @@ def test_a_pane_is_the_sum_over_its_reflections() -> None:
         (face.Rs, energy.Rs, energy.Ts, lost.As),
         (face.Rp, energy.Rp, energy.Tp, lost.Ap),
     ):
-        trips = np.array([(r * a) ** (2 * m) for m in range(60)]).sum(axis=0)
+        trips = np.array([(r * a) ** (2 * m) for m in range(400)]).sum(axis=0)
         np.testing.assert_allclose(T, (1.0 - r) ** 2 * a * trips, rtol=1e-8)
         np.testing.assert_allclose(R, r + (1.0 - r) ** 2 * a**2 * r * trips, rtol=1e-8, atol=1e-12)
         np.testing.assert_allclose(R + T + A, 1.0, atol=1e-12)
