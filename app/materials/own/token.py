@@ -7,9 +7,9 @@ of points as few as linear interpolation needs, as whole numbers and their diffe
 import base64
 import binascii
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import orjson
@@ -94,18 +94,15 @@ def write(data: OwnData) -> Kept:
     Points that lines between the others come close to are left out; where too many stay, means of
     neighbors are taken. What that costs is told.
     """
+    groups = _groups(data)
     for close, relative in _TOLERANCES:
-        made = _each(data, lambda group: _thin(group, close, relative))  # noqa: B023
-        token = None if made is None else _packed(made)
-        if token is not None and len(token) <= LONGEST:
+        token = _fitting(data, [_thin(group, close, relative) for group in groups])
+        if token is not None:
             return _compared(data, read(token), token)
     count = _MOST_MEANS
-    while True:
-        made = _each(data, lambda group: _mean(group, count))  # noqa: B023
-        token = LONGEST * "x" if made is None else _packed(made)
-        if len(token) <= LONGEST:
-            return _compared(data, read(token), token)
+    while (token := _fitting(data, [_mean(group, count) for group in groups])) is None:
         count //= 2
+    return _compared(data, read(token), token)
 
 
 def read(token: str) -> OwnData:
@@ -142,63 +139,71 @@ def read(token: str) -> OwnData:
         raise BrokenToken(token, "what is in this one is no material") from None
 
 
-_Curves = list[tuple[str, Points]]
-"""n or k by name, or both where they have the same wavelengths."""
+class _Group(NamedTuple):
+    """n or k, or both where they have the same wavelengths."""
+
+    names: tuple[str, ...]
+    x: Array
+    """Wavelengths in as many digits as matter, as far as those are apart."""
+    values: Array
+    """A row a name."""
 
 
-def _each(data: OwnData, change: Callable[[_Curves], list[Points] | None]) -> OwnData | None:
-    """Change the points of n and k, together where they share their wavelengths."""
+def _groups(data: OwnData) -> list[_Group]:
+    """The points of n and of k, together where they share their wavelengths."""
     tables = [(c, q) for c, q in (("n", data.n), ("k", data.k)) if isinstance(q, Points)]
     shared = len({points.wavelength_nm for _, points in tables}) == 1
+    return [_distinct(group) for group in ([tables] if shared else [[table] for table in tables])]
+
+
+def _fitting(data: OwnData, changed: list[dict[str, Points] | None]) -> str | None:
+    """A token with other points; None if there are too many, or it is too long."""
     made: dict[str, Any] = {}
-    for group in [tables] if shared else [[table] for table in tables]:
-        changed = change(group)
-        if changed is None:
+    for group in changed:
+        if group is None:
             return None
-        made |= zip((name for name, _ in group), changed, strict=True)
-    return OwnData(**vars(data) | made)
+        made |= group
+    token = _packed(OwnData(**vars(data) | made))
+    return token if len(token) <= LONGEST else None
 
 
-def _thin(group: _Curves, close: float, relative: float) -> list[Points] | None:
+def _thin(group: _Group, close: float, relative: float) -> dict[str, Points] | None:
     """Leave out the points that lines between the others come close to."""
-    x, values = _distinct(group)
-    bounds = np.full(values.shape, close - 2.0 * _ROUNDING)
-    for row, (name, _) in enumerate(group):
+    bounds = np.full(group.values.shape, close - 2.0 * _ROUNDING)
+    for row, name in enumerate(group.names):
         if name == "k" and np.isfinite(relative):
-            bounds[row] = np.minimum(bounds[row], np.maximum(relative * values[row], 1e-12))
-    chosen = kept(x, values, bounds, _MOST_POINTS)
-    return None if chosen is None else _points(x[chosen], values[:, chosen])
+            bounds[row] = np.minimum(bounds[row], np.maximum(relative * group.values[row], 1e-12))
+    chosen = kept(group.x, group.values, bounds, _MOST_POINTS)
+    return None if chosen is None else _points(group, group.x[chosen], group.values[:, chosen])
 
 
-def _points(x: Array, values: Array) -> list[Points]:
+def _points(group: _Group, x: Array, values: Array) -> dict[str, Points]:
     nodes = tuple(x.tolist())
-    return [
-        Points(kind="points", wavelength_nm=nodes, values=tuple(map(_rounded, row)))
-        for row in values.tolist()
-    ]
+    return {
+        name: Points(kind="points", wavelength_nm=nodes, values=tuple(map(_rounded, row)))
+        for name, row in zip(group.names, values.tolist(), strict=True)
+    }
 
 
-def _mean(group: _Curves, count: int) -> list[Points]:
-    given, curves = _distinct(group)
-    x, values = means(given, curves, count)
+def _mean(group: _Group, count: int) -> dict[str, Points]:
+    x, values = means(group.x, group.values, count)
     rounded = _in_digits(x, _FEWEST_DIGITS)
     apart = np.append(np.diff(rounded) > 0.0, True)
-    return _points(rounded[apart], values[:, apart])
+    return _points(group, rounded[apart], values[:, apart])
 
 
 def _in_digits(x: Array, digits: int) -> Array:
     return np.array([float(f"{value:.{digits}g}") for value in x.tolist()])
 
 
-def _distinct(group: _Curves) -> tuple[Array, Array]:
-    """Wavelengths in as many digits as matter, as far as those are apart, and the values there."""
-    x = np.array(group[0][1].wavelength_nm)
-    values = np.array([points.values for _, points in group])
+def _distinct(tables: list[tuple[str, Points]]) -> _Group:
+    x = np.array(tables[0][1].wavelength_nm)
+    values = np.array([points.values for _, points in tables])
     steepest = np.abs(np.diff(values) / np.diff(x)).max(initial=0.0)
     matter = np.log10(max(x[-1] * steepest / _ROUNDING, 1.0))
     rounded = _in_digits(x, min(max(_FEWEST_DIGITS, int(np.ceil(matter))), 15))
     apart = np.flatnonzero(np.diff(rounded, prepend=-1.0) > 0.0)
-    return rounded[apart], values[:, apart]
+    return _Group(tuple(name for name, _ in tables), rounded[apart], values[:, apart])
 
 
 def _rounded(value: float) -> float:

@@ -146,6 +146,7 @@ def constants(tables: Sequence[Table], notes: Notes) -> Found:
     clean = [_measured(table) for table in tables]
     sign = _decided_sign(clean, notes)
     parts: dict[str, list[tuple[Array, Array, Lines]]] = {"n": [], "k": []}
+    gone: list[Array] = []
     order: Order = "rising"
     for index, table in enumerate(clean):
         if index == 0:
@@ -157,12 +158,13 @@ def constants(tables: Sequence[Table], notes: Notes) -> Found:
         for name, values, bounds in (("n", n, N_T), ("k", k, K_T)):
             if values is not None:
                 usable &= _within(name, values, bounds, table.lines, usable, notes)
+        gone.append(wavelength_nm[~usable])
         for name, values in (("n", n), ("k", k)):
             if values is not None:
                 there = usable & np.isfinite(values)
                 parts[name].append((wavelength_nm[there], values[there], table.lines[there]))
     points = {name: _points(name, pieces, notes) for name, pieces in parts.items()}
-    _say_gaps(points, parts, notes)
+    _say_gaps(points, parts, np.concatenate([np.zeros(0), *gone]), notes)
     return Found(points["n"], points["k"], order, sign)
 
 
@@ -229,8 +231,9 @@ def _wavelengths(table: Table, notes: Notes) -> tuple[NDArray[np.bool_], Array]:
     nm[positive] = unit.nanometers(table.x[positive])
     kept = positive & (nm <= _LONGEST_NM) & (nm >= _SHORTEST_NM)
     for at in np.flatnonzero(~kept).tolist():
+        why = "beyond 1e-4 nm to 10 mm" if positive[at] else "none"
         notes.leave_out(
-            int(table.lines[at]), f"{unit.kind} = {table.x[at]:.6g} {table.unit} is none"
+            int(table.lines[at]), f"{unit.kind} = {table.x[at]:.6g} {table.unit} is {why}"
         )
     return kept, nm[kept]
 
@@ -325,10 +328,15 @@ def _measured_k(
 def _say_gaps(
     points: Mapping[str, Points | None],
     parts: Mapping[str, Sequence[tuple[Array, Array, Lines]]],
+    gone: Array,
     notes: Notes,
 ) -> None:
-    if notes.left_out and points["n"] is not None:
-        notes.warn("between the neighbors of rows that are left out, values are interpolated")
+    known = points["n"] or points["k"]
+    if known is not None:
+        first, last = known.wavelength_nm[0], known.wavelength_nm[-1]
+        inside = int(np.count_nonzero((gone > first) & (gone < last)))
+        if inside:
+            notes.warn(f"in the place of {inside} rows left out, values are interpolated")
     n, k = (sum(values.size for _, values, _ in parts[name]) for name in ("n", "k"))
     if len(parts["n"]) == len(parts["k"]) == 1 and 0 < k < n:
         notes.warn(f"k is missing in {n - k} of {n} rows")
