@@ -2,24 +2,30 @@
 
 A frame counts when what it shows has changed since the one before: the path of the first curve
 while `n_t` is dragged, the incident ray or the marker while the angle is. Frames in which nothing
-new was drawn do not count.
+new was drawn do not count. It is done at several round trips, which a proxy makes; with another build's
+folder in FRESNEL_OLDER, both are measured in turn.
 """
 
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import os
 import shutil
+from collections.abc import AsyncIterator
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from playwright.async_api import Browser, Page, Response, async_playwright
 
-from benchmarks.load import OURS, served
+from benchmarks.load import served, under_uvicorn
 
 SECONDS = 3.0
 SWEEPS_PER_SECOND = 0.5
 BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome")
-BARS = {"n_t": 50.0, "theta_i": 55.0}
+ROUND_TRIPS_MS = (0, 50, 150, 300)
+BAR = 55.0
+SPREAD_BAR = 0.1
 BYTES_BAR = 120_000
 LIBRARIES = ("plotly", "katex")
 
@@ -175,25 +181,54 @@ async def drags(browser: Browser, url: str) -> dict[str, dict[str, float]]:
     return {"n_t": n_t, "theta_i": theta_i}
 
 
-async def run(port: int) -> None:
-    """Measure and print."""
-    url = f"http://127.0.0.1:{port}/"
+@contextlib.asynccontextmanager
+async def far_away(port: int, round_trip_ms: float) -> AsyncIterator[int]:
+    """Listen where a server seems to be so far away; connecting costs nothing more."""
+    loop, delay_s = asyncio.get_running_loop(), round_trip_ms / 2000
+
+    async def carry(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        with contextlib.suppress(ConnectionError):
+            while data := await reader.read(65536):
+                loop.call_later(delay_s, writer.write, data)
+        loop.call_later(delay_s, writer.close)
+
+    async def meet(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        inner_reader, inner_writer = await asyncio.open_connection("127.0.0.1", port)
+        await asyncio.gather(carry(reader, inner_writer), carry(inner_reader, writer))
+
+    server = await asyncio.start_server(meet, "127.0.0.1", 0)
+    try:
+        yield server.sockets[0].getsockname()[1]
+    finally:
+        server.close()
+
+
+async def run(ports: dict[str, int]) -> None:
+    """Measure and print, for builds by name: this one first."""
+    url = f"http://127.0.0.1:{ports['this build']}/"
+    rates: dict[str, list[tuple[float, float]]] = {build: [] for build in ports}
     async with async_playwright() as playwright:
         arguments = ["--no-sandbox"] if os.geteuid() == 0 else []
         browser = await playwright.chromium.launch(executable_path=find_browser(), args=arguments)
         await first_load(browser, url)  # the server compresses and caches on the first visit
         load, shown = await first_load(browser, url)
-        rates = await drags(browser, url)
+        for milliseconds in ROUND_TRIPS_MS:
+            for build, port in ports.items():
+                async with far_away(port, milliseconds) as far:
+                    found = await drags(browser, f"http://127.0.0.1:{far}/")
+                rates[build].append((found["n_t"]["curves"], found["theta_i"]["ray"]))
+                print(
+                    f"{build}, {milliseconds} ms round trip: {rates[build][-1][0]:.1f} frames drawn per"
+                    f" second dragging n_t ({found['n_t']['answers']:.0f} answers),"
+                    f" {rates[build][-1][1]:.1f} dragging theta_i (bar: {BAR:.0f})"
+                )
         await browser.close()
-    n_t, theta_i = rates["n_t"], rates["theta_i"]
-    print(
-        f"dragging n_t:     {n_t['curves']:.1f} frames drawn per second"
-        f" (bar: {BARS['n_t']:.0f}; {n_t['answers']:.0f} answers)"
-    )
-    print(
-        f"dragging theta_i: {theta_i['ray']:.1f} frames drawn per second"
-        f" (bar: {BARS['theta_i']:.0f})"
-    )
+    for i, name in enumerate(("n_t", "theta_i")):
+        ours = [pair[i] for pair in rates["this build"]]
+        print(f"{name}: rates within {max(ours) / min(ours) - 1:.0%} (bar: {SPREAD_BAR:.0%})")
+        for build, others in list(rates.items())[1:]:
+            ratios = [f"{a / max(b[i], 0.01):.1f}" for a, b in zip(ours, others, strict=True)]
+            print(f"{name}: {', '.join(ratios)} times {build}")
     early = [address for address in load.before_curve if "katex" in address]
     print(f"first curve after {shown:.0f} ms; KaTeX asked for before it: {early or 'no'}")
     print(
@@ -206,9 +241,16 @@ async def run(port: int) -> None:
 
 
 def main() -> None:
-    """Serve the application with one worker and measure it."""
-    with served(*OURS) as server:
-        asyncio.run(run(server.port))
+    """Serve the application, and an older build if there is one, with one worker and measure it."""
+    older = os.environ.get("FRESNEL_OLDER")
+    # What any build can be served by.
+    serve = under_uvicorn("app.main:create_app", "--factory")
+    with contextlib.ExitStack() as stack:
+        ports = {"this build": stack.enter_context(served(*serve)).port}
+        if older:
+            other = stack.enter_context(served(*serve, folder=Path(older)))
+            ports["the older build"] = other.port
+        asyncio.run(run(ports))
 
 
 if __name__ == "__main__":

@@ -44,13 +44,17 @@ def under_uvicorn(application: str, *options: str) -> tuple[str, ...]:
 
 
 @contextlib.contextmanager
-def served(*arguments: str, python: str = sys.executable, **environment: str) -> Iterator[Server]:
-    """Run a server with one worker."""
+def served(
+    *arguments: str, python: str = sys.executable, folder: Path | None = None, **environment: str
+) -> Iterator[Server]:
+    """Run a server with one worker, from a folder if it is another build's."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port: int = probe.getsockname()[1]
     command = [python, *arguments, str(port)]
-    server = subprocess.Popen(command, env=os.environ | environment, stdout=subprocess.DEVNULL)
+    server = subprocess.Popen(
+        command, cwd=folder, env=os.environ | environment, stdout=subprocess.DEVNULL
+    )
     try:
         for _ in range(300):
             with contextlib.suppress(OSError), socket.create_connection(("127.0.0.1", port)):

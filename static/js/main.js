@@ -177,7 +177,7 @@ async function start() {
       };
     },
     moving: state.moving,
-    painted: () => frame === 0,
+    painted: () => !due,
     kernels: () => answerer,
     onAnswer() {
       schedule();
@@ -216,6 +216,7 @@ async function start() {
         import(new URL("../kernels.js", import.meta.url).href),
       ]);
       answerer = createAnswers(models, catalog);
+      asking.ask(); // what has failed is said anew
       schedule();
     } catch {
       fetching = false; // the server goes on drawing, and the next answer is an occasion to ask again
@@ -228,7 +229,9 @@ async function start() {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let speech;
 
+  let due = false;
   function schedule() {
+    due = true;
     if (!frame) frame = requestAnimationFrame(draw);
   }
 
@@ -241,9 +244,11 @@ async function start() {
   }
 
   function draw() {
-    frame = 0;
+    // What is moved in a frame is drawn in that frame, and not in every other one.
+    frame = state.moving() ? requestAnimationFrame(draw) : 0;
     const here = router?.current();
-    if (!here) return;
+    if (!here || !due) return;
+    due = false;
     const now = state.get();
     here.view.update(now, asking.answers(), state.moving());
     if (asking.waiting()) requestAnimationFrame(() => setTimeout(asking.askLater));
