@@ -6,9 +6,13 @@ import logging
 import sys
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from functools import lru_cache
 from typing import Any
 
-from fastapi import APIRouter, FastAPI
+import orjson
+from anyio import to_thread
+from fastapi import APIRouter, FastAPI, Request
+from starlette.responses import Response
 from starlette.types import ASGIApp
 
 from app import __version__
@@ -38,8 +42,10 @@ from app.api.materials import reading
 from app.api.table import RouteTable
 from app.figures.pictures import Pictures
 from app.http import problems
+from app.http.body import EncodedBody
 from app.http.bounds import Bounded
 from app.http.cache import AnswerCache
+from app.http.encoded import Encoded
 from app.http.middleware import CommonHeaders, Fallback, HeadAsGet, KnownHosts
 from app.http.serving import Serving
 from app.optics.registry import Registry, default_registry
@@ -63,6 +69,8 @@ Conventions: time factor exp(-i w t), N = n_t + i k_t with k_t >= 0, angles from
 Every error is an `application/problem+json` (RFC 9457) that names the parameter, the value and what
 is allowed; nothing is clamped, guessed or ignored.
 """
+
+_OPENAPI = "/openapi.json"
 
 _PROBED = (f"{PREFIX}/health", "/metrics")
 """Paths that are asked by address, not by name."""
@@ -93,7 +101,7 @@ class _Application(FastAPI):
             write_timeout_s=settings.write_timeout_s,
         )
         app = CommonHeaders(
-            app, api=(f"{PREFIX}/", "/openapi.json", f"/{_KERNELS}"), documents=document_headers
+            app, api=(f"{PREFIX}/", _OPENAPI, f"/{_KERNELS}"), documents=document_headers
         )
         return Observed(drain.around(app), self.state.metrics, self.state.access_log)
 
@@ -102,6 +110,15 @@ class _Application(FastAPI):
         if self.openapi_schema is None:
             super().openapi()["components"]["schemas"] |= problems.schemas()
         return super().openapi()
+
+    @lru_cache(4)  # noqa: B019 - an application lives as long as the process
+    def described(self, root_path: str) -> EncodedBody:
+        """The description as it is sent to who found the API below a path."""
+        schema = self.openapi()
+        if root_path:
+            schema = schema | {"servers": [{"url": root_path}]}
+        headers = [(b"content-type", b"application/json"), (b"cache-control", b"no-cache")]
+        return EncodedBody(orjson.dumps(schema), headers, "thorough")
 
 
 @asynccontextmanager
@@ -136,6 +153,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         license_info={"name": "MIT", "identifier": "MIT"},
         docs_url=None,  # the page at /docs is served with the other files, from this server alone
         redoc_url=None,
+        openapi_url=None,  # it is made once, see `described`
         lifespan=_running,
         responses={
             "4XX": problems.problem_as("What is wrong with the request, and what would be right."),
@@ -190,6 +208,11 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     for router in routers:
         app.include_router(router, prefix=PREFIX)
     app.include_router(metrics_router())
+
+    @app.get(_OPENAPI, include_in_schema=False)
+    async def described(request: Request) -> Response:
+        return Encoded(await to_thread.run_sync(app.described, request.scope["root_path"]))
+
     made = {_KERNELS: kernels(registry).encode()}
     app.router.routes.append(Fallback("/", Page(settings.static_dir, made), name="page"))
     return app

@@ -7,15 +7,20 @@ from collections.abc import Mapping, MutableMapping
 from functools import lru_cache
 from mimetypes import guess_type
 from pathlib import Path
+from time import monotonic
 from typing import Any
+from urllib.parse import quote
 
 from anyio import to_thread
 from starlette.exceptions import HTTPException
-from starlette.responses import Response
+from starlette.requests import Request
+from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.staticfiles import PathLike, StaticFiles
-from starlette.types import Receive, Scope, Send
+from starlette.types import Message, Receive, Scope, Send
 
-from app.http.body import Effort, EncodedBody, Headers
+from app.http.body import EncodedBody, Headers
+from app.http.encoded import Encoded
+from app.http.problems import problem_response
 from app.page.service_worker import SCRIPT, service_worker
 
 _CONTENT_SECURITY_POLICY = "; ".join(
@@ -59,6 +64,9 @@ def document_headers(query: bytes) -> Mapping[str, str]:
 _UNDERSTOOD = {".css", ".js"}
 
 # What compression gains nothing on is left to the file system.
+_LOOKS_AFTER_S = 1.0
+"""How long the service worker's list of files is taken to be what it was."""
+
 _TEXT = {".css", ".html", ".js", ".json", ".svg", ".txt", ".webmanifest"}
 
 
@@ -76,16 +84,33 @@ class Page(StaticFiles):
     def __init__(self, directory: Path, made: Mapping[str, bytes] | None = None) -> None:
         super().__init__(directory=directory, html=True)
         self._made = made or {}
+        self._script: tuple[bytes, EncodedBody] | None = None
+        self._looked_at = 0.0
         self._scripts = {name: _script(script) for name, script in self._made.items()}
 
     async def get_response(self, path: str, scope: MutableMapping[str, Any]) -> Response:
         """Answer with a file; what cannot name a file is not found."""
         if path in self._scripts and scope["method"] in {"GET", "HEAD"}:
-            return _Text(self._scripts[path])
+            return Encoded(self._scripts[path])
         try:
-            return await super().get_response(path, scope)
+            if path == SCRIPT and scope["method"] in {"GET", "HEAD"}:
+                return Encoded(await self._worker())
+            response = await super().get_response(path, scope)
+            if isinstance(response, RedirectResponse):  # to a folder's own address
+                response.headers["Location"] = _below(scope)
+            return response
         except (ValueError, OSError):  # a NUL byte or a name longer than the file system takes
             raise HTTPException(404) from None
+
+    async def _worker(self) -> EncodedBody:
+        """The service worker's script; whether a file has changed is looked for now and then."""
+        if self._script is None or monotonic() - self._looked_at > _LOOKS_AFTER_S:
+            self._looked_at = monotonic()
+            directory = Path(str(self.directory)).resolve()
+            script = await to_thread.run_sync(service_worker, directory, self._made)
+            if self._script is None or self._script[0] != script:
+                self._script = script, _script(script)
+        return self._script[1]
 
     def file_response(
         self,
@@ -100,30 +125,47 @@ class Page(StaticFiles):
         vendored = parts[0] == "vendor" and path.name != "manifest.json"
         cache_control = "public, max-age=31536000, immutable" if vendored else "no-cache"
         if path.suffix in _TEXT and status_code == 200:
-            if parts == (SCRIPT,):
-                script = service_worker(Path(str(self.directory)).resolve(), self._made)
-                return _Text(_script(script, "quick"))
-            return _Text(_encoded(path, stat_result.st_mtime_ns, cache_control))
+            return Encoded(_encoded(path, stat_result.st_mtime_ns, cache_control))
         response = super().file_response(full_path, stat_result, scope, status_code)
         response.headers["Cache-Control"] = cache_control
-        return response
+        return _File(response) if isinstance(response, FileResponse) else response
 
 
-class _Text(Response):
-    """A file in the encoding that the client asks for; what takes long is made in a thread."""
+class _File(Response):
+    """A file that may be asked for in parts; a part that is not there is a problem."""
 
-    def __init__(self, encoded: EncodedBody) -> None:
+    def __init__(self, file: Response) -> None:
         super().__init__()
-        self._encoded = encoded
+        self._file = file
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        coding = self._encoded.coding(scope["headers"])
-        if self._encoded.takes_long(coding):
-            await to_thread.run_sync(self._encoded.encoded, coding)
-        self.status_code, self.raw_headers, self.body = self._encoded.reply(
-            scope["headers"], coding
-        )
-        await super().__call__(scope, receive, send)
+        """Send it."""
+        # A unit that is not understood is ignored (RFC 9110, section 14.2).
+        kept = [
+            (name, value)
+            for name, value in scope["headers"]
+            if name != b"range" or value.lower().startswith(b"bytes=")
+        ]
+        refused: Message | None = None
+
+        async def send_problem(message: Message) -> None:
+            nonlocal refused
+            if message["type"] == "http.response.start" and message["status"] >= 400:
+                refused = message
+            elif refused is None:
+                await send(message)
+            elif not message.get("more_body", False):
+                said = message["body"].decode() or "no such part is there"
+                ranges = {n.decode(): v.decode() for n, v in refused["headers"] if n in _RANGE}
+                problem = problem_response(
+                    Request(scope), refused["status"], f"Range: {said}", headers=ranges
+                )
+                await problem(scope, receive, send)
+
+        await self._file({**scope, "headers": kept}, receive, send_problem)
+
+
+_RANGE = {b"content-range", b"accept-ranges"}
 
 
 def _headers(media_type: str, cache_control: str) -> Headers:
@@ -133,8 +175,15 @@ def _headers(media_type: str, cache_control: str) -> Headers:
     ]
 
 
-def _script(script: bytes, effort: Effort = "thorough") -> EncodedBody:
-    return EncodedBody(script, _headers("text/javascript; charset=utf-8", "no-cache"), effort)
+def _below(scope: MutableMapping[str, Any]) -> str:
+    """The address of a folder, beside its own without a slash: whichever host and scheme that has."""
+    query = scope["query_string"].decode("latin-1")
+    name = quote(scope["path"].rpartition("/")[2])
+    return f"./{name}/" + (f"?{query}" if query else "")
+
+
+def _script(script: bytes) -> EncodedBody:
+    return EncodedBody(script, _headers("text/javascript; charset=utf-8", "no-cache"), "thorough")
 
 
 @lru_cache(maxsize=512)

@@ -1,8 +1,11 @@
 """HTTP itself: caches, compression, CORS, security headers, HEAD, and what a real server refuses."""
 
+import asyncio
 import gzip
 import json
+import time
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 import zstandard
@@ -10,8 +13,11 @@ from fastapi import FastAPI
 
 from app.http.problems import MEDIA_TYPE
 from app.main import create_app
+from app.page import files
+from app.server.observe.metrics import Metrics
 from app.settings import Settings
 from tests.api.raw import Answer, send
+from tests.api.raw import exchange as asked
 from tests.api.wire import Address, exchange, get, served
 
 API = b"/api/v1"
@@ -324,3 +330,96 @@ def test_hostile_targets_over_the_wire(address: Address, target: bytes, status: 
     assert answer.status == status
     assert answer.headers["content-type"] == MEDIA_TYPE
     assert json.loads(answer.body)["status"] == status
+
+
+class TestFiles:
+    PICTURE = b"/icons/icon-192.png"
+
+    @pytest.mark.parametrize("said", ["x", "lines=1-2", "x=0-1"])
+    def test_a_range_in_an_unknown_unit_is_ignored(self, app: FastAPI, said: str) -> None:
+        whole = ask(app, self.PICTURE)
+        answer = ask(app, self.PICTURE, Range=said)
+        assert (answer.status, answer.body) == (200, whole.body)
+
+    def test_a_range_is_sent(self, app: FastAPI) -> None:
+        whole = ask(app, self.PICTURE)
+        answer = ask(app, self.PICTURE, Range="bytes=1-3")
+        assert (answer.status, answer.body) == (206, whole.body[1:4])
+        assert answer.headers["content-range"] == f"bytes 1-3/{len(whole.body)}"
+
+    @pytest.mark.parametrize(
+        ("said", "status"), [("bytes=9-1", 400), ("bytes=", 400), ("bytes=9999999-", 416)]
+    )
+    def test_a_wrong_range_is_a_problem(self, app: FastAPI, said: str, status: int) -> None:
+        answer = ask(app, self.PICTURE, Range=said)
+        assert answer.status == status
+        assert answer.headers["content-type"] == MEDIA_TYPE
+        problem = answer.json()
+        assert (problem["status"], problem["instance"]) == (status, self.PICTURE.decode())
+        assert problem["detail"].startswith("Range: ")
+        assert ("content-range" in answer.headers) == (status == 416)
+
+    @pytest.mark.parametrize("query", [b"", b"?embed=1&x=%C3%BC"])
+    def test_a_folder_is_found_whatever_scheme_and_host_it_has(
+        self, app: FastAPI, query: bytes
+    ) -> None:
+        answer = ask(app, b"/docs" + query, Host="evil.example")
+        assert (answer.status, answer.headers["location"]) == (307, "./docs/" + query.decode())
+
+
+class TestMadeOnce:
+    @pytest.mark.parametrize("target", [b"/openapi.json", b"/sw.js"])
+    def test_is_compressed_and_not_sent_to_who_has_it(self, app: FastAPI, target: bytes) -> None:
+        first = ask(app, target, Accept_Encoding="gzip")
+        assert first.headers["content-encoding"] == "gzip"
+        again = ask(app, target, If_None_Match=first.headers["etag"])
+        assert (again.status, again.body) == (304, b"")
+        assert decoded(first) == ask(app, target).body
+
+    def test_the_list_of_files(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        calls = counted(monkeypatch, files, "service_worker")
+        app = create_app()
+        assert len({ask(app, b"/sw.js").body for _ in range(20)}) == 1
+        assert len(calls) < 5  # the list is looked at anew after a second
+
+    def test_the_description(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        calls = counted(monkeypatch, type(create_app()), "openapi")
+        app = create_app()
+        assert len({ask(app, b"/openapi.json").body for _ in range(20)}) == 1
+        assert len(calls) == 1
+
+    def test_metrics_of_all_who_ask_together(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        calls = counted(monkeypatch, Metrics, "text", 0.05)
+        app = create_app()
+
+        async def together() -> list[Answer]:
+            return await asyncio.gather(*(asked(app, b"/metrics") for _ in range(50)))
+
+        answers = asyncio.run(together())
+        assert {answer.status for answer in answers} == {200}
+        assert len(calls) <= 3
+
+    def test_metrics_take_a_part_of_the_time_alone(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        calls = counted(monkeypatch, Metrics, "text", 0.05)
+        app = create_app()
+        began = time.monotonic()
+        for _ in range(4):
+            ask(app, b"/metrics")
+        assert len(calls) == 4
+        assert time.monotonic() - began > 3 * 5 * 0.05
+
+
+def counted(
+    monkeypatch: pytest.MonkeyPatch, where: Any, name: str, seconds: float = 0.0
+) -> list[None]:
+    """Note the calls of a function, and have each take a while."""
+    calls: list[None] = []
+    original = getattr(where, name)
+
+    def noted(*given: Any) -> Any:
+        calls.append(None)
+        time.sleep(seconds)
+        return original(*given)
+
+    monkeypatch.setattr(where, name, noted)
+    return calls
