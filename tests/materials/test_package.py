@@ -169,21 +169,21 @@ def test_colors_against_colour_science(catalog: Catalog, colour: Any) -> None:
 
 
 def test_pages_that_are_wrong_are_refused() -> None:
-    rows = [["0.4", "1.0", "0.1"], ["0.5", "0.0", "-1e-3"]]
+    at = np.array([400.0, 500.0])
     with pytest.raises(ValueError, match="n = 0"):
-        native_points("n", rows, 1, [])
+        native_points("n", at, np.array([1.0, 0.0]), [])
     with pytest.raises(ValueError, match=r"k = -0\.001"):
-        native_points("k", rows, 2, [])
+        native_points("k", at, np.array([0.1, -1e-3]), [])
     with pytest.raises(ValueError, match="n = nan"):
-        native_points("n", [["0.4", "nan"]], 1, [])
+        native_points("n", at[:1], np.array([np.nan]), [])
 
 
 def test_native_points_are_sorted_and_merged() -> None:
     said: list[str] = []
-    rows = [["0.5", "2.0"], ["0.36", "1.0"], ["0.5", "2.0"], ["0.6", "1.0"], ["0.6", "2.0"]]
-    points = native_points("n", rows, 1, said)
+    at = np.array([500.0, 360.0, 500.0, 600.0, 600.0])
+    points = native_points("n", at, np.array([2.0, 1.0, 2.0, 1.0, 2.0]), said)
     assert points.wavelength_nm == (360.0, 500.0, 600.0)
     assert points.values == (1.0, 2.0, 1.5)
     assert said == ["n is given 2 times at 600 nm: the mean"]
-    assert native_points("k", [["0.4", "-1e-10"]], 1, said).values == (0.0,)
+    assert native_points("k", at[:1], np.array([-1e-10]), said).values == (0.0,)
     assert said[-1] == "k is rounded below 0 at 1 wavelengths: set to 0"

@@ -15,7 +15,12 @@ from urllib.parse import unquote
 
 import yaml
 
-from app.materials.schema import Database, Formula, Points, Quantity
+from app.materials.reading.document import document
+from app.materials.reading.formats import refractiveindex_info
+from app.materials.reading.report import Choices, Notes
+from app.materials.reading.units import UNITS
+from app.materials.schema import Database, Points, Quantity
+from app.optics.parameters import Array
 
 PACKAGE = "refractiveindex"
 LICENCE = "CC0-1.0"
@@ -61,14 +66,9 @@ def read_page(path: str) -> Page:
     """Read the page at shelf/book/page."""
     file = _pages()[path]
     content = (_root() / file).read_bytes()
-    page = yaml.load(content, Loader=yaml.CBaseLoader)  # noqa: S506 (strings alone)
-    quantities: dict[str, Quantity] = {}
+    page = refractiveindex_info.page(content.decode(), file)
     warnings: list[str] = []
-    for block in page["DATA"]:
-        for name, quantity in _block(block, warnings).items():
-            if name in quantities:
-                raise ValueError(f"{path} gives {name} twice")
-            quantities[name] = quantity
+    quantities = _quantities(file, content, warnings)
     reference, links = _reference(page["REFERENCES"])
     doi = tuple(_doi(link) for link in links if "doi.org/" in link)
     comments = _plain(page["COMMENTS"]) if page.get("COMMENTS") else None
@@ -106,25 +106,27 @@ def _pages() -> dict[str, str]:
     return files
 
 
-def _block(block: dict[str, Any], warnings: list[str]) -> dict[str, Quantity]:
-    kind, what = block["type"].split()
-    if kind == "formula":
-        low, high = (_nanometers(text) for text in block["wavelength_range"].split())
-        coefficients = tuple(float(text) for text in block["coefficients"].split())
-        formula = Formula(
-            kind="formula", number=int(what), coefficients=coefficients, range_nm=(low, high)
-        )
-        return {"n": formula}
-    rows = [line.split() for line in block["data"].splitlines() if line.strip()]
-    columns = {name: index + 1 for index, name in enumerate(what)}
-    return {name: native_points(name, rows, index, warnings) for name, index in columns.items()}
+def _quantities(file: str, content: bytes, warnings: list[str]) -> dict[str, Quantity]:
+    """n and k as the program's own reader finds them; a page that it cannot read whole is refused."""
+    notes = Notes(Choices())
+    found = refractiveindex_info.FORMAT.read([document(file, content)], notes)
+    if notes.left_out:
+        raise ValueError(f"{file}: {notes.left_out}")
+    quantities: dict[str, Quantity] = {} if found.formula is None else {"n": found.formula}
+    for table in found.tables:
+        wavelength_nm = UNITS[table.unit].nanometers(table.x)
+        for name, values in table.columns.items():
+            if name in quantities:
+                raise ValueError(f"{file} gives {name} twice")
+            quantities[name] = native_points(name, wavelength_nm, values, warnings)
+    return quantities
 
 
-def native_points(name: str, rows: list[list[str]], index: int, warnings: list[str]) -> Points:
+def native_points(name: str, wavelength_nm: Array, measured: Array, warnings: list[str]) -> Points:
     """Sort the native points, and merge those at one wavelength into their mean."""
     at: dict[float, list[float]] = {}
-    for row in rows:
-        at.setdefault(_nanometers(row[0]), []).append(float(row[index]))
+    for wavelength, number in zip(wavelength_nm.tolist(), measured.tolist(), strict=True):
+        at.setdefault(wavelength, []).append(number)
     values: list[float] = []
     negative = 0
     for wavelength, same in sorted(at.items()):
@@ -140,11 +142,6 @@ def native_points(name: str, rows: list[list[str]], index: int, warnings: list[s
     if negative:
         warnings.append(f"{name} is rounded below 0 at {negative} wavelengths: set to 0")
     return Points(kind="points", wavelength_nm=tuple(sorted(at)), values=tuple(values))
-
-
-def _nanometers(micrometers: str) -> float:
-    # Decimal moves the point without the rounding that would make 0.36 um 359.99999999999994 nm.
-    return float(Decimal(micrometers) * 1000)
 
 
 def _plain(html: str) -> str:
