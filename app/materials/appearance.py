@@ -18,7 +18,9 @@ from app.optics.color import (
     Gamut,
     Illuminant,
     Observer,
+    Space,
     apply_gamut,
+    in_space,
     linear_srgb,
     luminance,
     rendered_white,
@@ -70,17 +72,31 @@ class Appearance:
         return replace(self, F0=self.F0 / white, F82=self.F82 / white, white=np.ones(3))
 
     def within(self, gamut: Gamut) -> "Appearance":
-        """The same look with F0 brought into the gamut, and F82 along with it.
+        """The same look with F0, F82 and the tint brought into 0 to 1 together.
 
         The tint is how much darker the edge is than Schlick's, and a policy for what a screen can
-        show does not change it; only an F82 that would leave 0 to 1 is cut.
+        show does not change it, but where the edge is brighter: it is cut to 1 there. F82 is what
+        F0 and the tint make of it.
         """
         if gamut == "unclamped":
             return self
         F0 = apply_gamut(self.F0, gamut)
         schlick = self.white * polynomial(F0 / self.white, MU_BAR)
-        F82 = np.clip(self.F82_tint * schlick, 0.0, 1.0)
+        F82 = np.clip(np.clip(self.F82_tint, 0.0, 1.0) * schlick, 0.0, 1.0)
         return replace(self, F0=F0, F82=F82)
+
+    def in_space(self, space: Space, observer: Observer = "cie1931_2deg") -> "Appearance":
+        """The same look in another linear space; what an observer's D65 is, decides its white."""
+        F0, F82, white = (in_space(rgb, space, observer) for rgb in (self.F0, self.F82, self.white))
+        return replace(self, F0=F0, F82=F82, white=white)
+
+    @property
+    def outside(self) -> tuple[str, ...]:
+        """Names of what has channels outside 0 to 1, which engines cut or refuse."""
+        looks = {name: getattr(self, name) for name in ("F0", "F82", "F82_tint")}
+        return tuple(
+            name for name, rgb in looks.items() if not bool(np.all((rgb >= 0.0) & (rgb <= 1.0)))
+        )
 
 
 def interface(spectrum: Spectrum, wavelength_nm: ArrayLike, n_i: ArrayLike = 1.0) -> Interface:

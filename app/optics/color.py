@@ -17,6 +17,8 @@ References
 ----------
 .. [1] CIE 015:2018, Colorimetry, 4th edition.
 .. [2] IEC 61966-2-1:1999, sections 4.2 and 5.
+.. [5] S-2014-004, ACEScg: A Working Space for CGI Render and Compositing, Academy of Motion Picture
+   Arts and Sciences.
 .. [4] G. Sharma, W. Wu and E. N. Dalal, The CIEDE2000 color-difference formula, Color Res. Appl. 30
    (2005) 21-30.
 .. [3] K. M. Lam, Metamerism and Colour Constancy, thesis, University of Bradford, 1985.
@@ -36,6 +38,7 @@ Illuminant = Literal["D65", "E"]
 Observer = Literal["cie1931_2deg", "cie1964_10deg"]
 Adaptation = Literal["bradford", "none"]
 Gamut = Literal["unclamped", "clamped", "scaled"]
+Space = Literal["srgb", "acescg"]
 
 ILLUMINANTS: tuple[Illuminant, ...] = get_args(Illuminant)
 OBSERVERS: tuple[Observer, ...] = get_args(Observer)
@@ -47,6 +50,15 @@ WAVELENGTH_NM.flags.writeable = False
 
 PRIMARIES_XY = ((0.64, 0.33), (0.30, 0.60), (0.15, 0.06))
 """Chromaticities of the sRGB primaries [2]_."""
+
+AP1_XY = ((0.713, 0.293), (0.165, 0.830), (0.128, 0.044))
+"""Chromaticities of the primaries of ACEScg, AP1 [5]_."""
+
+ACES_WHITE_XY = (0.32168, 0.33767)
+"""Chromaticity of the ACES white [5]_."""
+
+TRANSFER = "sRGB transfer curve of IEC 61966-2-1"
+"""What `encode_srgb` applies, for whoever reads a hexadecimal code."""
 
 BRADFORD: Array = np.array(
     [[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367], [0.0389, -0.0685, 1.0296]]
@@ -108,11 +120,36 @@ def srgb_from_xyz(observer: Observer = "cie1931_2deg") -> Array:
     The primaries are defined for the 2 degree observer; with the 10 degree one they keep their
     chromaticities, which makes a comparison of observers, not a standard.
     """
-    primaries = np.array([[x / y, 1.0, (1.0 - x - y) / y] for x, y in PRIMARIES_XY]).T
-    scale = np.linalg.solve(primaries, white("D65", observer))
+    return _from_xyz(PRIMARIES_XY, white("D65", observer))
+
+
+def _from_xyz(primaries_xy: tuple[tuple[float, float], ...], white_xyz: Array) -> Array:
+    """Matrix from XYZ to linear RGB of these primaries, whose white is (1, 1, 1)."""
+    primaries = np.array([[x / y, 1.0, (1.0 - x - y) / y] for x, y in primaries_xy]).T
+    scale = np.linalg.solve(primaries, white_xyz)
     matrix: Array = np.linalg.inv(primaries * scale)
     matrix.flags.writeable = False
     return matrix
+
+
+@cache
+def acescg_from_srgb(observer: Observer = "cie1931_2deg") -> Array:
+    """Return the 3 x 3 matrix from linear sRGB to ACEScg; white stays (1, 1, 1).
+
+    D65 is adapted to the white of ACES by Bradford [3]_, [5]_.
+    """
+    x, y = ACES_WHITE_XY
+    target = np.array([x / y, 1.0, (1.0 - x - y) / y])
+    adapt = bradford(white("D65", observer), target)
+    matrix = np.asarray(_from_xyz(AP1_XY, target) @ adapt @ np.linalg.inv(srgb_from_xyz(observer)))
+    matrix.flags.writeable = False
+    return matrix
+
+
+def in_space(rgb: ArrayLike, space: Space, observer: Observer = "cie1931_2deg") -> Array:
+    """Linear sRGB, shape (..., 3), in another linear space, not clamped."""
+    colors = np.asarray(rgb, dtype=np.float64)
+    return colors if space == "srgb" else np.asarray(colors @ acescg_from_srgb(observer).T)
 
 
 def bradford(source_white: ArrayLike, target_white: ArrayLike) -> Array:

@@ -142,6 +142,30 @@ def test_gamut_policies_of_gold(ask: Ask, gamut: str) -> None:
         assert np.allclose(decode_srgb(encoded), expected, atol=5e-3)
 
 
+@pytest.mark.parametrize("gamut", ["clamped", "scaled"])
+@pytest.mark.parametrize("light", [{}, {"illuminant": "E", "adaptation": "none"}])
+def test_displayed_colors_can_be_typed_everywhere(
+    ask: Ask, gamut: str, light: dict[str, str]
+) -> None:
+    for id in ("Au", "red-brass", "diamond", "Cu-Babar"):  # noqa: A001
+        shown = ask(f"/materials/{id}", gamut=gamut, **light).json()["display"]
+        for look in (shown, shown["acescg"]):
+            numbers = [look[name] for name in ("F0", "F82", "F82_tint")]
+            assert np.min(numbers) >= 0.0
+            assert np.max(numbers) <= 1.0
+        for name, code in shown["codes"].items():
+            typed = decode_srgb(np.array(list(bytes.fromhex(code[1:]))) / 255.0)
+            assert np.allclose(typed, shown[name], atol=5e-3)
+        assert "IEC 61966-2-1" in shown["transfer"]
+
+
+def test_colors_that_cannot_be_typed_say_so(ask: Ask) -> None:
+    assert ask("/materials/Au").json()["color"]["outside_0_to_1"] == ["F0", "F82_tint"]
+    assert ask("/materials/Cr").json()["color"]["outside_0_to_1"] == []
+    shown = ask("/materials/Au", gamut="unclamped").json()["display"]
+    assert shown["codes"]["F0"] is None
+
+
 @pytest.mark.parametrize("id", ["Cu", "default-shirley"])
 def test_light_and_observer(ask: Ask, id: str) -> None:  # noqa: A002
     daylight = np.array(ask(f"/materials/{id}").json()["color"]["F0"])

@@ -6,11 +6,11 @@ import pytest
 from app.materials.appearance import Viewing, appearance, averaged_interface, color_curve, interface
 from app.materials.catalog import Catalog
 from app.materials.errors import WavelengthOutOfRange
-from app.optics.color import WAVELENGTH_NM, Gamut, luminance
+from app.optics.color import WAVELENGTH_NM, Gamut, Space, luminance
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.registry import default_registry
-from app.optics.specular import MU_BAR, tint_at_82
+from app.optics.specular import MU_BAR, polynomial, tint_at_82
 
 ROUNDING = 1e-12
 INDEX_DECIMALS = 5.1e-7
@@ -136,12 +136,27 @@ def test_a_gamut_policy_moves_F0_and_F82_together(catalog: Catalog, gamut: Gamut
     gold = appearance(catalog.spectrum("Au"))
     shown = gold.within(gamut)
     assert shown.F0[0] == 1.0
-    np.testing.assert_allclose(shown.F82_tint, [0.9698, 1.0088, 0.9823], rtol=0, atol=5e-5)
+    np.testing.assert_allclose(shown.F82_tint, [0.9698, 1.0, 0.9823], rtol=0, atol=5e-5)
+    assert gold.outside == ("F0", "F82_tint")
     assert gold.within("unclamped") is gold
+
+
+@pytest.mark.parametrize("gamut", ["clamped", "scaled"])
+@pytest.mark.parametrize("space", ["srgb", "acescg"])
+def test_what_a_gamut_policy_hands_out_can_be_typed(
+    catalog: Catalog, gamut: Gamut, space: Space
+) -> None:
+    outside = 0
     for preset in catalog.presets:
         if preset.kind == "spectrum":
-            look = appearance(catalog.spectrum(preset.id)).within(gamut)
-            assert ((look.F82 >= 0.0) & (look.F82 <= 1.0)).all()
+            look = appearance(catalog.spectrum(preset.id)).in_space(space)
+            outside += bool(look.outside)
+            shown = look.within(gamut)
+            assert shown.outside == (), preset.id
+            np.testing.assert_allclose(
+                shown.F82, shown.F82_tint * polynomial(shown.F0, MU_BAR), rtol=0, atol=ROUNDING
+            )
+    assert outside > 0
 
 
 def test_the_tint_of_every_metal_can_be_given_to_the_model(catalog: Catalog) -> None:

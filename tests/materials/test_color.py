@@ -14,6 +14,7 @@ from app.optics.color import (
     ILLUMINANTS,
     OBSERVERS,
     WAVELENGTH_NM,
+    acescg_from_srgb,
     apply_gamut,
     bradford,
     color_matching,
@@ -33,6 +34,13 @@ ROUNDING = 1e-12
 ONES = np.ones(WAVELENGTH_NM.size)
 
 # IEC 61966-2-1:1999, section 5.2: the standard's matrix, to its four digits.
+# OpenColorIO's ACES configurations, linear Rec.709 to ACEScg by Bradford, to four digits.
+OCIO_ACESCG_FROM_SRGB = [
+    [0.6131, 0.3395, 0.0474],
+    [0.0702, 0.9164, 0.0135],
+    [0.0206, 0.1096, 0.8698],
+]
+
 IEC_SRGB_FROM_XYZ = [[3.2406, -1.5372, -0.4986], [-0.9689, 1.8758, 0.0415], [0.0557, -0.204, 1.057]]
 
 
@@ -41,6 +49,12 @@ def test_perfect_reflector_is_white(illuminant: str, observer: str) -> None:
     rgb = linear_srgb(ONES, illuminant, observer)  # type: ignore[arg-type]
     np.testing.assert_allclose(rgb, 1.0, rtol=0, atol=ROUNDING)
     assert luminance(ONES, illuminant, observer) == pytest.approx(1.0, abs=ROUNDING)  # type: ignore[arg-type]
+
+
+def test_acescg_is_the_published_one() -> None:
+    # Theirs starts from the four digits of D65's chromaticity, ours from the tables.
+    np.testing.assert_allclose(acescg_from_srgb(), OCIO_ACESCG_FROM_SRGB, rtol=0, atol=1.5e-4)
+    np.testing.assert_allclose(acescg_from_srgb().sum(axis=1), 1.0, rtol=0, atol=ROUNDING)
 
 
 def test_illuminant_e_without_adaptation_is_a_fifth_off() -> None:

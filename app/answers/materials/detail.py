@@ -4,7 +4,7 @@ from dataclasses import fields
 
 import numpy as np
 
-from app.answers.answer import answer
+from app.answers.answer import answer, filled
 from app.answers.materials.about import Rgb
 from app.answers.materials.listing import Material, Swatch, hex_of, in_gamut
 from app.materials.appearance import DAYLIGHT, Appearance, Viewing, appearance
@@ -21,6 +21,7 @@ from app.materials.schema import (
     Sample,
 )
 from app.optics.color import (
+    TRANSFER,
     WAVELENGTH_NM,
     Adaptation,
     Gamut,
@@ -48,6 +49,10 @@ class Seen:
 class SeenColor(Color, Seen):  # the fields of Seen come first
     """Linear sRGB in full precision, with the light and the observer."""
 
+    outside_0_to_1: tuple[str, ...]
+    """Which of F0, F82 and F82_tint have channels outside 0 to 1, where engines cut or refuse them;
+    `display` has all three within, by a policy."""
+
 
 @answer
 class Constants:
@@ -65,6 +70,24 @@ class Constants:
 
 
 @answer
+class Look:
+    """F0, F82 and tint by a gamut policy, linear."""
+
+    F0: Rgb
+    F82: Rgb
+    F82_tint: Rgb
+
+
+@answer
+class LookCodes:
+    """F0, F82 and tint as #rrggbb; null where unclamped channels leave 0 to 1."""
+
+    F0: str | None
+    F82: str | None
+    F82_tint: str | None
+
+
+@answer
 class Display(Swatch):
     """The color by a gamut policy."""
 
@@ -76,6 +99,12 @@ class Display(Swatch):
     """The tint that belongs to this F0 and F82."""
     in_gamut: bool
     """Whether the unclamped F0 is within 0 and 1."""
+    acescg: Look
+    """The same three in linear ACEScg, the policy applied there."""
+    codes: LookCodes
+    """The same three in sRGB as #rrggbb, for fields that take no numbers."""
+    transfer: str
+    """The curve that `hex` and `codes` are encoded by; all numbers are linear."""
 
 
 @answer
@@ -144,7 +173,7 @@ def detail(
     catalog = default_catalog()
     color = _appearance(preset, viewing)
     file = catalog.spectrum(preset.id).file if preset.kind == "spectrum" else None
-    display = _display(color, gamut)
+    display = _display(color, gamut, viewing.observer)
     return MaterialDetail(
         **vars(preset)
         | {
@@ -154,6 +183,7 @@ def detail(
                 F82=_channels(color.F82),
                 F82_tint=_channels(color.F82_tint),
                 luminance=color.luminance,
+                outside_0_to_1=color.outside,
             )
         },
         swatch=Swatch(gamut=gamut, hex=display.hex),
@@ -202,8 +232,9 @@ def _constants(preset: Preset, wavelength_nm: float | None) -> Constants:
     )
 
 
-def _display(color: Appearance, gamut: Gamut) -> Display:
+def _display(color: Appearance, gamut: Gamut, observer: Observer) -> Display:
     shown = color.within(gamut)
+    wide = color.in_space("acescg", observer).within(gamut)
     return Display(
         gamut=gamut,
         hex=hex_of(shown.F0),
@@ -211,6 +242,11 @@ def _display(color: Appearance, gamut: Gamut) -> Display:
         F82=shown.F82,
         F82_tint=shown.F82_tint,
         in_gamut=in_gamut(color.F0),
+        acescg=filled(Look, wide),
+        codes=LookCodes(
+            F0=hex_of(shown.F0), F82=hex_of(shown.F82), F82_tint=hex_of(shown.F82_tint)
+        ),
+        transfer=TRANSFER,
     )
 
 

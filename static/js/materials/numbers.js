@@ -41,7 +41,11 @@ function policyOf({ display: { gamut, in_gamut }, color }) {
       : in_gamut
         ? "within sRGB anyway"
         : POLICIES[gamut];
-  return `${gamut}: ${done}. CIE 1931, ${color.illuminant}; luminance Y = ${six(color.luminance)}.`;
+  const outside =
+    gamut === "unclamped" && color.outside_0_to_1.length
+      ? ` Channels of ${color.outside_0_to_1.join(", ")} leave 0 to 1: engines cut or refuse them.`
+      : "";
+  return `${gamut}: ${done}. CIE 1931, ${color.illuminant}; luminance Y = ${six(color.luminance)}.${outside}`;
 }
 
 /** @param {Pick<ViewContext, 'actions' | 'say'>} context */
