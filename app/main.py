@@ -37,6 +37,7 @@ from app.api import (
     recommend,
     shaders,
     snell,
+    vectors,
 )
 from app.api.materials import reading
 from app.api.table import RouteTable
@@ -181,6 +182,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
     routers: list[APIRouter] = [
         curves.router(registry),
         snell.router(),
+        vectors.router(),
         polarization.router(),
         films.router(),
         health.router(drain, pool),

@@ -1,10 +1,12 @@
 """Query parameters: pydantic models made from the core's declarations, and what is refused."""
 
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Annotated, Any, Self
 
 from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
+from pydantic_core import PydanticCustomError
 
 from app.answers.films import Coated
 from app.answers.interface import PresetInterface
@@ -21,7 +23,16 @@ from app.materials.media import (
 from app.materials.own.token import LONGEST
 from app.optics.ellipsometry import Convention, Normal, TimeFactor
 from app.optics.errors import OpticsError
-from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, WAVELENGTH_NM, Parameter
+from app.optics.incidence import Incidence
+from app.optics.parameters import (
+    K_T,
+    N_I,
+    N_T,
+    THETA_I,
+    THETA_I_DEG,
+    WAVELENGTH_NM,
+    Parameter,
+)
 
 MAX_SAMPLES = 20001
 
@@ -184,6 +195,24 @@ class ConventionQuery(QueryModel):
         return Convention(self.convention, self.r_p_at_normal)
 
 
+_NUMBER = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*")
+
+
+def numbers_of(names: str) -> BeforeValidator:
+    """Read as many numbers as there are names, all separated by commas."""
+    count = names.count(",") + 1
+
+    def read(given: object) -> object:
+        if not isinstance(given, str):
+            return given
+        parts = given.split(",")
+        if len(parts) != count or not all(map(_NUMBER.fullmatch, parts)):
+            raise PydanticCustomError("numbers", f"{count} numbers {names}")
+        return tuple(map(float, parts))
+
+    return BeforeValidator(read, json_schema_input_type=str)
+
+
 @contextmanager
 def reported_as(**names: str) -> Iterator[None]:
     """Turn what the core refuses into the API's own error, its parameters renamed.
@@ -225,9 +254,34 @@ def refuse_beside(query: QueryModel, preset: str, *numbers: str) -> None:
 
 
 class AngleQuery(QueryModel):
-    """One angle of incidence."""
+    """One angle of incidence, in degrees or in radians.
+
+    Once validated, `theta_i_deg` holds it in degrees.
+    """
 
     theta_i_deg: Number = number(THETA_I_DEG, examples=[64.0])
+    theta_i_rad: Number | None = Field(
+        None,
+        ge=THETA_I.minimum,
+        le=THETA_I.maximum,
+        allow_inf_nan=False,
+        description="The angle in radians, in place of theta_i_deg; the double nearest pi/2 counts "
+        "as 90 degrees.",
+        json_schema_extra={"unit": THETA_I.unit, "symbol": THETA_I.symbol},
+    )
+
+    @model_validator(mode="after")
+    def _one_angle(self) -> Self:
+        if self.theta_i_rad is not None:
+            refuse_beside(self, "theta_i_rad", "theta_i_deg")
+            object.__setattr__(self, "theta_i_deg", float(self.incidence().theta_i_deg))
+        return self
+
+    def incidence(self) -> Incidence:
+        """The direction."""
+        if self.theta_i_rad is None:
+            return Incidence.from_degrees(self.theta_i_deg)
+        return Incidence.from_radians(self.theta_i_rad)
 
 
 def equal_samples(default: int) -> Any:

@@ -8,7 +8,6 @@ from app.answers.snell import CoatedRay, Ray, ray
 from app.api.params import AngleQuery, ConventionQuery, LayersQuery
 from app.http.query import DigitsQuery
 from app.http.route import QueryRoute
-from app.optics.incidence import Incidence
 
 
 class SnellQuery(DigitsQuery, ConventionQuery, AngleQuery, LayersQuery):
@@ -21,7 +20,6 @@ def router() -> APIRouter:
 
     @routes.get("/snell", summary="One ray at the surface")
     def snell(query: Annotated[SnellQuery, Query()]) -> Ray | CoatedRay:
-        incidence = Incidence.from_degrees(query.theta_i_deg)
-        return ray(query.interface(), incidence, query.coated(), query.signs())
+        return ray(query.interface(), query.incidence(), query.coated(), query.signs())
 
     return routes

@@ -7,8 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from app.optics.amplitudes import wave
 from app.optics.errors import NotAllowed
-from app.optics.parameters import N_I, N_T, Array
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.parameters import Array
 
 _UNIT_TOLERANCE = 1e-6
 
@@ -53,16 +56,22 @@ class Refraction:
     exists: NDArray[np.bool_]
 
 
-def refract(incident: ArrayLike, normal: ArrayLike, n_i: ArrayLike, n_t: ArrayLike) -> Refraction:
+def refract(
+    incident: ArrayLike,
+    normal: ArrayLike,
+    n_i: ArrayLike,
+    n_t: ArrayLike,
+    k_t: ArrayLike = 0.0,
+) -> Refraction:
     """Refract a direction by Snell's law in vector form.
 
     Parameters
     ----------
     incident, normal
         As for `reflect`.
-    n_i, n_t
-        Real indices on the incident and the far side, broadcasting against the vectors' leading
-        axes.
+    n_i, n_t, k_t
+        Indices on the incident and the far side, broadcasting against the vectors' leading axes.
+        Where k_t is not 0, the direction is that in which the phase advances.
 
     Returns
     -------
@@ -84,7 +93,16 @@ def refract(incident: ArrayLike, normal: ArrayLike, n_i: ArrayLike, n_t: ArrayLi
     True
     """
     i, n, cos_i = _unit_pair(incident, normal)
-    ratio = (N_I.check(n_i) / N_T.check(n_t))[..., np.newaxis]
+    interface = Interface(n_i, n_t, k_t)
+    if interface.is_conductor:
+        incidence = Incidence.from_cosine(np.minimum(cos_i[..., 0], 1.0))
+        q = np.asarray(wave(interface, incidence).a)[..., np.newaxis]
+        onward = i + cos_i * n - q * n
+        length = np.sqrt(np.sum(onward * onward, axis=-1, keepdims=True))
+        stands = length[..., 0] == 0.0
+        direction = onward / np.where(length == 0.0, 1.0, length)
+        return Refraction(direction, ~stands)
+    ratio = (interface.n_i / interface.n_t)[..., np.newaxis]
     tangential = ratio * (i + cos_i * n)
     cos2_t = 1.0 - np.sum(tangential * tangential, axis=-1, keepdims=True)
     exists = cos2_t >= 0.0

@@ -190,7 +190,7 @@ def test_unpolarized_light_is_polarized_at_brewsters_angle(ask: Ask) -> None:
     assert told["reflection"]["beam"]["degree_of_polarization"] == pytest.approx(1.0, abs=1e-12)
     assert told["reflection"]["beam"]["stokes"][1] < 0.0, "s alone"
     assert told["incident"]["degree_of_polarization"] == 0.0
-    for stokes, message in (("1,1", "four numbers"), ("1,1,1,0", "at most S0^2")):
+    for stokes, message in (("1,1", "4 numbers"), ("1,1,1,0", "at most S0^2")):
         error = error_of(ask("/polarization", stokes=stokes))
         assert error["parameter"] == "stokes"
         assert message in error["message"]

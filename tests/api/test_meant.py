@@ -75,13 +75,17 @@ def test_a_wavelength_in_micrometers(ask: Ask, path: str, query: dict[str, str])
     [
         ("wavelength_um", "0.55", "wavelength_um times 1000: wavelength_nm = 550"),
         ("wavelength_A", "5876", "wavelength_A times 0.1: wavelength_nm = 587.6"),
-        ("theta_i_rad", "0.5", "theta_i_rad times 57.29577951: theta_i_deg = 28.64788976"),
     ],
 )
 def test_a_name_that_ends_in_another_unit_is_told_the_factor(
     ask: Ask, name: str, value: str, message: str
 ) -> None:
     assert error_of(ask("/snell", **{name: value}))["message"].endswith(message)
+
+
+def test_radians_where_there_are_but_degrees(ask: Ask) -> None:
+    told = error_of(ask("/albedo/coat", theta_i_rad="0.5"))["message"]
+    assert told.endswith("theta_i_rad times 57.29577951: theta_i_deg = 28.64788976")
 
 
 def test_a_wavelength_out_of_range_names_the_measurements_that_cover_it(ask: Ask) -> None:

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from app.answers.interface import CONVENTION
 from tests.api.raw import send
-from tests.api.shape import Ask, check_shape, json_of
+from tests.api.shape import Ask, check_shape, error_of, json_of
 from tests.optics.reference.fresnel import fresnel
 
 RELATIVE = 1e-12
@@ -165,3 +165,13 @@ def test_every_legal_query_is_answered_in_finite_numbers(
     assert (told["refracted"] is None) == told["total_internal_reflection"]
     for direction in (told["reflected"], told["refracted"] or [0.0, 1.0]):
         assert hypot(*direction) == pytest.approx(1.0, abs=1e-14)
+
+
+def test_an_angle_in_radians(ask: Ask) -> None:
+    for degrees, radians in ((0.0, 0.0), (90.0, np.pi / 2), (57.29577951308232, 1.0)):
+        told, expected = ray(ask, theta_i_rad=radians), ray(ask, theta_i_deg=degrees)
+        assert told["theta_i_deg"] == pytest.approx(degrees, rel=1e-15)
+        assert told["Rp"] == pytest.approx(expected["Rp"], rel=RELATIVE)
+    error = error_of(ask("/snell", theta_i_rad=1.0, theta_i_deg=60))
+    assert error["parameter"] == "theta_i_deg"
+    assert error_of(ask("/snell", theta_i_rad=60))["parameter"] == "theta_i_rad"
