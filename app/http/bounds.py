@@ -66,10 +66,10 @@ class Bounded:
         is_large = has_begun = False
         reading = _Clock(self._read_timeout_s)
         writing = _Clock(self._write_timeout_s)
-        is_read = False
+        is_read = has_body = False
 
         async def receive_in_time() -> Message:
-            nonlocal is_read
+            nonlocal is_read, has_body
             if is_read:
                 return await receive()
             try:
@@ -82,8 +82,13 @@ class Bounded:
                     f"{_SLOWEST // 1000} kB a second (FRESNEL_READ_TIMEOUT_S)"
                 )
                 raise HTTPException(408, detail, {"Connection": "close"}) from None
-            reading.moved(len(message.get("body", b"")))
+            size = len(message.get("body", b""))
+            reading.moved(size)
             is_read = not message.get("more_body", False)
+            if is_read and size == 0 and not has_body and _announces_body(scope):
+                detail = "the body did not come in step with its request; send both again"
+                raise HTTPException(503, detail, {"Retry-After": "1", "Connection": "close"})
+            has_body = has_body or size > 0
             return message
 
         async def send_in_pieces(message: Message) -> None:
@@ -149,6 +154,11 @@ class _Clock:
 
 class _Unread(Exception):
     """A client reads nothing of its answer."""
+
+
+def _announces_body(scope: Scope) -> bool:
+    """Whether a request says that it has a body; an offer of another protocol may have cost it."""
+    return any(name == b"content-length" and value != b"0" for name, value in scope["headers"])
 
 
 def _is_large(start: Message) -> bool:

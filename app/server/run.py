@@ -17,6 +17,7 @@ import uvicorn
 
 from app.server.observe.lines import log_errors
 from app.server.observe.metrics import SHARED
+from app.server.offers import ByOffer, say_nothing_of_offers
 from app.server.parent import when_parent_is_gone
 from app.server.workers import Supervisor
 from app.settings import Settings
@@ -128,10 +129,12 @@ def configuration(app: Any, settings: Settings, **options: Any) -> uvicorn.Confi
     options
         More options of uvicorn, or others than these.
     """
+    say_nothing_of_offers()
+    http = parser(settings)
     of_settings: dict[str, Any] = {
         "host": settings.host,
         "port": settings.port,
-        "http": parser(settings),
+        "http": ByOffer if http == "httptools" else http,
         # What a client may send before the application sees any of it.
         "h11_max_incomplete_event_size": settings.max_target_bytes + settings.max_header_bytes,
         "ws": "none",
