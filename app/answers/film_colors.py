@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import numpy as np
 
@@ -11,13 +11,21 @@ from app.answers.film_media import FilmMedia, MediaFacts, swept_place
 from app.answers.materials.about import refuse_more_than
 from app.materials.appearance import DAYLIGHT, Viewing
 from app.optics.color import encode_srgb, lab, srgb_weights
-from app.optics.film_color import UNRESOLVED, is_resolved, step_nm, swept_colors
+from app.optics.film_color import (
+    UNRESOLVED,
+    is_resolved,
+    step_nm,
+    swept_colors,
+    transmitted_colors,
+)
 from app.optics.incidence import Incidence
 from app.optics.parameters import Array
 from app.optics.stack import Stack
 
 MOST_INCOHERENT = 4096
-"""Cells where a layer is incoherent, each of which is a whole spectrum."""
+"""Cells of transmitted light or with an incoherent layer, each of which is a whole spectrum."""
+
+Quantity = Literal["R", "T"]
 
 Colors = Annotated[Array, SentAs(list[list[tuple[float, float, float]]])]
 """A row each thickness, a color each angle."""
@@ -43,6 +51,8 @@ class FilmColors:
     """Colors of films over the thickness of one layer and the angle."""
 
     media: MediaFacts
+    quantity: Quantity
+    """Whether the colors are of reflected light or of what enters the second medium."""
     layer: int
     """The layer whose thickness varies, counted from the incident side."""
     thickness_nm: Values
@@ -77,6 +87,7 @@ def film_colors(
     thickness_nm: Array,
     theta_i_deg: Array,
     viewing: Viewing = DAYLIGHT,
+    quantity: Quantity = "R",
 ) -> FilmColors:
     """Evaluate colors over the thickness of one layer and the angle.
 
@@ -90,6 +101,8 @@ def film_colors(
         Thicknesses and angles.
     viewing
         Under which light, by which observer.
+    quantity
+        R for the light that is reflected, T for what enters the second medium.
 
     Raises
     ------
@@ -99,8 +112,9 @@ def film_colors(
     place = swept_place(media.layers, layer)
     cells = thickness_nm.size * theta_i_deg.size
     refuse_more_than("thickness_nm", thickness_nm.size, cells, "colors")
-    if any(film.incoherent for film in media.layers):
-        what = "colors of films with an incoherent layer"
+    incoherent = any(film.incoherent for film in media.layers)
+    if incoherent or quantity == "T":
+        what = "colors of films with an incoherent layer" if incoherent else "transmitted colors"
         refuse_more_than("thickness_nm", thickness_nm.size, cells, what, MOST_INCOHERENT)
     whole, warnings = media.visible()
     optical = optical_thickness(whole, place, float(thickness_nm.max()))
@@ -109,9 +123,11 @@ def film_colors(
         warnings = [*warnings, UNRESOLVED]
     stack = whole if step == 1 else media.visible(step)[0]
     incidence = Incidence.from_degrees(theta_i_deg)
-    linear = swept_colors(stack, place, thickness_nm, incidence, srgb_weights(*viewing), step)
+    colors_of = swept_colors if quantity == "R" else transmitted_colors
+    linear = colors_of(stack, place, thickness_nm, incidence, srgb_weights(*viewing), step)
     return FilmColors(
         media=media.facts(),
+        quantity=quantity,
         layer=layer,
         thickness_nm=thickness_nm,
         theta_i_deg=theta_i_deg,

@@ -8,7 +8,7 @@ from fastapi import APIRouter, Query
 from pydantic import BeforeValidator, Field, model_validator
 
 from app.answers.axes import MOST_STEPS
-from app.answers.film_colors import FilmColors, film_colors
+from app.answers.film_colors import FilmColors, Quantity, film_colors
 from app.answers.film_media import FilmMedia, Side
 from app.answers.film_solve import FilmSolutions, Target, film_solutions
 from app.answers.film_spectrum import FilmSpectrum, film_spectrum
@@ -43,6 +43,8 @@ from app.optics.parameters import K_T, N_T, THETA_I_DEG, THICKNESS_NM, Array, Pa
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _SWEEP = re.compile(rf"\s*({_NUMBER})\s*\.\.\s*({_NUMBER})\s*:\s*(\d+)\s*")
 _MOST_NUMBERS = 2000
+_MOST_AT_ONCE = 4000
+"""Wavelengths times layers that are computed without the pool, about 7 ms."""
 SWEEP = "first..last:steps, or numbers separated by commas"
 
 
@@ -100,8 +102,9 @@ class FilmSpectrumQuery(FilmQuery, AngleQuery, TableQuery):
 
     @property
     def takes_long(self) -> bool:
-        """Always."""
-        return True
+        """Whether it is more than the few milliseconds that a page waits for while it draws."""
+        count = (self.maximum_nm - self.minimum_nm) / self.step_nm
+        return count * (1 + self.layers.count(",")) > _MOST_AT_ONCE
 
 
 def _numbers(parameter: Parameter) -> BeforeValidator:
@@ -158,6 +161,11 @@ class FilmColorQuery(FilmQuery, ColorQuery, TableQuery, LongQuery):
     )
     samples: Count | None = Field(
         None, ge=2, le=2000, description="Equally spaced angles from 0 to 90 degrees instead."
+    )
+    quantity: Quantity = Field(
+        "R",
+        description="Colors of the light that is reflected, `R`, or of what enters the second "
+        "medium, `T`.",
     )
 
     def refuse_beyond(self, max_samples: int, max_cells: int) -> None:
@@ -266,7 +274,12 @@ def router() -> APIRouter:
     def color(query: Annotated[FilmColorQuery, Query()]) -> FilmColors:
         thickness_nm = np.array(query.thickness_nm)
         return film_colors(
-            query.media(), query.layer, thickness_nm, query.angles_deg(), query.viewing()
+            query.media(),
+            query.layer,
+            thickness_nm,
+            query.angles_deg(),
+            query.viewing(),
+            query.quantity,
         )
 
     @routes.get("/films/solve", summary="Thicknesses for least R, a color, or quarter waves")

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from app.optics.color import WAVELENGTH_NM
-from app.optics.films import reflectances, whole_group
+from app.optics.films import power, reflectances, whole_group
 from app.optics.incidence import Incidence
 from app.optics.numerics.pairs import Pair
 from app.optics.parameters import Array
@@ -129,6 +129,24 @@ def swept_colors(
                 u = np.exp(thick * (-2.0 * k * b[angle]))
                 R = _of_exponential(t, u, fractions, grazes)
             colors[some, angle] = R @ weights
+    return colors
+
+
+def transmitted_colors(
+    stack: Stack,
+    place: int,
+    thickness_nm: Array,
+    incidence: Incidence,
+    weights: Array,
+    step: int = 1,
+) -> Array:
+    """Linear colors of the light that enters the second medium; parameters as of `swept_colors`."""
+    weights = weights if step == 1 else _spline(step).T @ weights
+    rows = Incidence(incidence.cos.reshape(-1, 1), incidence.sin.reshape(-1, 1))
+    colors = np.empty((thickness_nm.size, incidence.cos.size, 3))
+    for i, thickness in enumerate(thickness_nm.tolist()):
+        T = power(_with_thickness(stack, place, thickness), rows).T
+        colors[i] = np.broadcast_to(T, (rows.cos.size, weights.shape[0])) @ weights
     return colors
 
 

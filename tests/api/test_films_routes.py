@@ -60,6 +60,15 @@ def test_a_color_is_the_integral_of_the_spectrum(ask: Ask) -> None:
     np.testing.assert_allclose(color, linear_srgb(R), atol=1e-4)
 
 
+def test_a_transmitted_color_is_the_integral_of_what_is_transmitted(ask: Ask) -> None:
+    query = {"layers": "Au:50", "n_t": 1.5, "theta_i_deg": "40"}
+    told = json_of(ask("/films/color", thickness_nm="50", quantity="T", **query))
+    T = curves(json_of(ask("/films/spectrum", minimum_nm=360, maximum_nm=830, **query)))["T"]
+    color = told["colors"][0]["linear_srgb"][0][0]
+    np.testing.assert_allclose(color, linear_srgb(T), atol=1e-4)
+    assert color[1] > max(color[0], color[2])  # gold leaf is green from behind
+
+
 def test_colors_as_a_table(ask: Ask) -> None:
     rows = rows_of(ask("/films/color", thickness_nm="0,100", samples=3, format="csv", **SOAP))
     assert [(row["thickness_nm"], row["theta_i_deg"]) for row in rows[:4]] == [

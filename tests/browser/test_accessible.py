@@ -14,6 +14,8 @@ PLACES = {
     "compare": "?view=compare",
     "albedo": "?view=albedo",
     "materials": "?view=materials",
+    "films": "?view=films",
+    "pane": "?view=films&layers=soda-lime:4000000:incoherent&n_t=1&film_to=10000000",
     "engines": "?view=engines&engine=babylon&measured=gold",
     "preview": "?view=preview",
     "path": "?view=theory",

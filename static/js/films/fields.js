@@ -1,0 +1,145 @@
+/** The state that the Films view adds to the one all views share, and what it asks for. */
+
+import { isDispersive } from "../media/media.js";
+import { choice, list, mediaQuery, number, path, whole } from "../state/state.js";
+import { text } from "../state/text.js";
+import {
+  asked,
+  MOST_LAYERS,
+  openedAt,
+  placeOf,
+  readLayers,
+  roundAbove,
+  THICKEST,
+} from "./layers.js";
+
+export const D_LINE = 587.6;
+/** What eyes see. */
+const VISIBLE = /** @type {const} */ ([380, 780]);
+const THICK = 4000; // nm: narrower fringes want every nanometer
+export const QUANTITIES = ["R", "Rs", "Rp", "T", "A"];
+/** Thicknesses and angles of the map; fewer where each cell is a whole spectrum. */
+const CELLS = { thicknesses: 256, angles: 91 };
+const FEW = { thicknesses: 64, angles: 61 };
+
+/** @returns {Record<string, Field>} */
+export function filmFields() {
+  return {
+    layers: text(
+      (given) => readLayers(given) !== null,
+      "allowed are MEDIUM:NM, or MEDIUM:NM:incoherent, separated by commas",
+      "MgF2-o:99.6",
+    ),
+    film_layer: whole(number({ default: 1, minimum: 1, maximum: MOST_LAYERS })),
+    film_show: list(QUANTITIES, ["R", "Rs", "Rp"]),
+    film_to: number({ default: 1000, minimum: 1, maximum: THICKEST }),
+    film_side: choice("R", ["R", "T"]),
+    film_light: choice("bright", ["bright", "true", "each"]),
+  };
+}
+
+/** @param {State} state */
+export const wavelengthOf = ({ wavelength_nm }) => wavelength_nm ?? D_LINE;
+
+/** The media by their spectra where they have any. @param {State} state @param {Catalog} catalog @returns {string[]} */
+function spectral(state, catalog) {
+  const { incident, material } = state;
+  /** @param {string | null} id */
+  const varies = (id) => isDispersive(catalog.materials.find((m) => m.id === id));
+  return [
+    ...(varies(incident) ? [`incident=${incident}`] : mediaQuery(state, catalog, ["n_i"])),
+    ...(varies(material) ? [`material=${material}`] : mediaQuery(state, catalog, ["n_t", "k_t"])),
+  ];
+}
+
+/** Where all media are known. @param {State} state @param {Catalog} catalog @returns {[number, number]} */
+export function spectrumRange(state, { materials }) {
+  const layers = readLayers(state.layers) ?? [];
+  const ids = [state.incident, state.material, ...layers.map((layer) => layer.medium)];
+  const ranges = materials
+    .filter((m) => ids.includes(m.id) && isDispersive(m) && m.n_range_nm)
+    .map((m) => /** @type {[number, number]} */ (m.n_range_nm));
+  const low = Math.ceil(Math.max(VISIBLE[0], ...ranges.map((r) => r[0])));
+  const high = Math.floor(Math.min(VISIBLE[1], ...ranges.map((r) => r[1])));
+  return low < high ? [low, high] : [...VISIBLE];
+}
+
+/** How far the thickness reaches on the map. @param {State} state @returns {number} */
+export function mapEnd({ layers, film_layer, film_to }) {
+  const all = readLayers(layers) ?? [];
+  return Math.max(film_to, roundAbove(all[placeOf({ film_layer }, all)]?.nm ?? 0));
+}
+
+/** @param {State} state @param {Catalog} catalog */
+function mapPath(state, catalog) {
+  const layers = readLayers(state.layers) ?? [];
+  const coherent = layers.every((layer) => !layer.incoherent);
+  const { thicknesses, angles } = coherent && state.film_side === "R" ? CELLS : FEW;
+  return path("/films/color", [
+    ...spectral(state, catalog),
+    asked(openedAt(layers, placeOf(state, layers))),
+    placeOf(state, layers) > 0 && `layer=${placeOf(state, layers) + 1}`,
+    `thickness_nm=0..${mapEnd(state)}:${thicknesses}`,
+    `samples=${angles}`,
+    state.film_side === "T" && "quantity=T",
+    "digits=4",
+  ]);
+}
+
+/** The colors of what is there. @param {State} state @param {Catalog} catalog @param {"R" | "T"} quantity */
+function herePath(state, catalog, quantity) {
+  const layers = readLayers(state.layers) ?? [];
+  const place = placeOf(state, layers);
+  return path("/films/color", [
+    ...spectral(state, catalog),
+    asked(openedAt(layers, place)),
+    place > 0 && `layer=${place + 1}`,
+    `thickness_nm=${layers[place]?.nm ?? 0}`,
+    `theta_i_deg=${state.theta_i_deg}`,
+    quantity === "T" && "quantity=T",
+  ]);
+}
+
+/**
+ * Paths by name. What a drag does not need keeps its last answer.
+ * @param {State} state
+ * @param {Catalog} catalog
+ * @param {boolean} [moving]
+ * @returns {Record<string, string>}
+ */
+export function queries(state, catalog, moving = false) {
+  const layers = readLayers(state.layers) ?? [];
+  const [low, high] = spectrumRange(state, catalog);
+  const thick = layers.some((layer) => !layer.incoherent && layer.nm > THICK);
+  const films = asked(state.layers);
+  const media = [...spectral(state, catalog), films];
+  const nm = `wavelength_nm=${wavelengthOf(state)}`;
+  const theta = `theta_i_deg=${state.theta_i_deg}`;
+  return {
+    spectrum: path("/films/spectrum", [
+      ...media,
+      theta,
+      `minimum_nm=${low}`,
+      `maximum_nm=${high}`,
+      !thick && "step_nm=2",
+      "digits=7",
+    ]),
+    curves: path("/curves", [...media, nm, "samples=181", "digits=7"]),
+    ...(!moving && { here: path("/snell", [...media, nm, theta]) }),
+  };
+}
+
+/** The colors, which stay while the thickness on their axis moves. @param {State} state @param {Catalog} catalog @returns {Record<string, string>} */
+export function later(state, catalog) {
+  return {
+    map: mapPath(state, catalog),
+    reflected: herePath(state, catalog, "R"),
+    transmitted: herePath(state, catalog, "T"),
+  };
+}
+
+/** @param {State} state @param {Catalog} catalog @returns {string[]} */
+export const restCalls = (state, catalog) => [
+  ...Object.values(queries(state, catalog)),
+  ...Object.values(later(state, catalog)),
+];

@@ -1,0 +1,174 @@
+/** Films: layers drawn to scale, what they reflect and transmit, and in which colors. */
+
+import { createExamples } from "../controls/examples.js";
+import { locate, read } from "../curves/reading.js";
+import { createControls } from "../films/controls.js";
+import { createCurves } from "../films/curves.js";
+import { createDrawing } from "../films/drawing.js";
+import { EXAMPLES, isShown, stateOf } from "../films/examples.js";
+import { filmFields, wavelengthOf } from "../films/fields.js";
+import { placeOf, readLayers, withThickness } from "../films/layers.js";
+import { brightening, createMap, FITS_TO } from "../films/map.js";
+import { createNumbers } from "../films/numbers.js";
+import { percent, plain } from "../numbers/format.js";
+import { createChanged } from "../page/changed.js";
+import { h, setText } from "../page/dom.js";
+import { loadStyle } from "../page/style.js";
+import { createProblems, createTrouble } from "../page/trouble.js";
+
+export { later, queries, restCalls } from "../films/fields.js";
+export const fields = filmFields;
+
+await Promise.all(["heatmap", "films"].map((name) => loadStyle(`css/${name}.css`)));
+
+/** @param {ViewContext} context */
+export function createView(context) {
+  const { element, state, actions } = context;
+  const controls = createControls(context);
+  const examples = createExamples({
+    examples: EXAMPLES,
+    name: "film-examples",
+    label: "Films that a person knows",
+    onShow: (example) => actions.set(stateOf(example)),
+    isShown,
+  });
+  const replace = /** @type {const} */ ({ history: "replace" });
+  const drawing = createDrawing(
+    (place, nm) => actions.set(withThickness(state(), nm, place), replace),
+    actions.settle,
+  );
+  const trouble = createTrouble("Back to a coating of glass", () => {
+    const coating = EXAMPLES.find(({ title }) => title.startsWith("MgF₂"));
+    if (coating) actions.set(stateOf(coating));
+  });
+  const map = createMap(
+    "Thickness and angle on the map of colors",
+    (nm, theta_i_deg) => actions.set({ ...withThickness(state(), nm), theta_i_deg }, replace),
+    actions.settle,
+  );
+  const numbers = createNumbers();
+  const said = h("p.hint");
+  const warned = h("p.hint");
+  const mapTrouble = h("p.row-error", { role: "alert" });
+  element.append(
+    controls.element,
+    h("section.column.film-choice", { "aria-label": "Films to start from" }, examples.element),
+    h(
+      "section.column.film-stack",
+      { "aria-label": "The layers" },
+      h("div.heading", h("h2", "Layers, to scale")),
+      trouble.element,
+      drawing.element,
+      numbers.element,
+    ),
+  );
+  element.append(
+    h(
+      "section.column.film-colors",
+      { "aria-label": "Colors" },
+      h("div.heading", h("h2", "Colors over thickness and angle")),
+      mapTrouble,
+      map.element,
+      said,
+      warned,
+    ),
+  );
+  const curves = createCurves(context, (patch, settled) => {
+    actions.set(patch, replace);
+    if (settled) actions.settle();
+  });
+  const problems = createProblems([
+    "spectrum",
+    "curves",
+    "here",
+    "map",
+    "reflected",
+    "transmitted",
+  ]);
+  const newMap = createChanged();
+  let factor = 1;
+  /** @type {Record<string, any>} */
+  let given = {};
+
+  /** R and T where the state is, from the curves that are on the screen. @param {State} now */
+  function readingOf(now) {
+    if (!given.curves) return null;
+    const place = locate(given.curves.theta_i_deg, now.theta_i_deg);
+    /** @param {string} quantity */
+    const at = (quantity) => {
+      const found = given.curves.curves.find((/** @type {Curve} */ c) => c.quantity === quantity);
+      return found ? (read(found.values, place) ?? 0) : 0;
+    };
+    return { R: at("R"), T: at("T") };
+  }
+
+  /** @param {State} now @param {number} nm @param {boolean} moving */
+  function showColors(now, nm, moving) {
+    /** @type {import('../films/map.js').ColorMap | undefined} */
+    const found = given.map;
+    const [exact] = found?.colors ?? [];
+    if (!found || !exact) return;
+    const light = now.film_light;
+    if (newMap(exact, light))
+      factor = light === "bright" ? brightening(exact.linear_srgb, found.theta_i_deg) : 1;
+    map.update(now, nm, found, exact, light === "each" ? null : factor);
+    if (moving) return;
+    const each = light === "each" ? ", each color as bright as a screen can show it" : "";
+    const times =
+      factor > 1.005
+        ? `, ${plain(factor, 3)} times as bright as they are, so that all up to ${FITS_TO}° fit`
+        : "";
+    const which = now.film_side === "R" ? "reflected" : "transmitted";
+    setText(said, `Daylight, ${which}, from the whole spectrum${each}${times}.`);
+    setText(warned, found.warnings.join("; "));
+  }
+
+  /** @param {State} now @param {boolean} moving */
+  function show(now, moving) {
+    const layers = readLayers(now.layers) ?? [];
+    const place = placeOf(now, layers);
+    controls.update(now);
+    drawing.update(now, given.curves?.layers, given.here, readingOf(now));
+    curves.update(now, given.spectrum, given.curves, moving);
+    showColors(now, layers[place]?.nm ?? 0, moving);
+    if (moving) return;
+    examples.update(now);
+    numbers.update(now, given);
+    const problem = ["spectrum", "curves", "here"]
+      .map((name) => problems.of(name, given))
+      .find(Boolean);
+    trouble.update(problem, true);
+    const ofMap = problem ? undefined : problems.of("map", given);
+    setText(mapTrouble, ofMap ? ofMap.lines.join(" · ") || ofMap.title : "");
+  }
+
+  return {
+    /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
+    update(now, answers, moving) {
+      given = answers;
+      show(now, moving);
+    },
+
+    /** @param {State} now @param {Record<string, any>} answers */
+    sentence(now, { here, reflected }) {
+      if (!here) return "";
+      const color = reflected?.colors?.[0]?.hex?.[0]?.[0] ?? "";
+      return `At ${plain(wavelengthOf(now), 5)} nm ${percent(here.R)} reflected, ${percent(here.T)} transmitted, ${percent(here.A ?? 0)} absorbed. Reflected color ${color}`;
+    },
+
+    /** @param {string} name @param {import('../page/trouble.js').Problem} problem */
+    problem(name, problem) {
+      const told = problems.add(name, problem, given);
+      if (told) show(state(), false);
+      return told;
+    },
+
+    theme: curves.theme,
+    deactivate: controls.stop,
+    destroy() {
+      controls.stop();
+      curves.destroy();
+      drawing.destroy();
+    },
+  };
+}

@@ -1,0 +1,88 @@
+"""The Films view: layers that are dragged, their curves and their colors."""
+
+import re
+
+import pytest
+from playwright.sync_api import Page, expect
+
+
+def test_a_film_is_dragged_and_stands_in_the_link(quiet_page: Page) -> None:
+    page = quiet_page
+    page.goto("/?view=films&layers=water:330&n_t=1")
+    slider = page.get_by_role("slider", name="Thickness of layer 1", exact=True)
+    expect(slider).to_have_attribute("aria-valuenow", "330")
+    box = slider.bounding_box()
+    assert box is not None
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x, y + 20)
+    page.mouse.move(x, y + 40)
+    page.mouse.up()
+    expect(page).to_have_url(re.compile(r"layers=water%3A(3[4-9]|[4-9]\d)\d"))
+    nm = float(slider.get_attribute("aria-valuenow") or "nan")
+    told = page.request.get(
+        f"/api/v1/snell?layers=water:{nm}&n_t=1&wavelength_nm=587.6&theta_i_deg=64"
+    ).json()
+    shown = page.locator(".film-numbers dd").first
+    expect(shown).to_have_text(f"{told['R']:#.6g}")
+
+
+def test_keys_move_a_thickness_and_one_step_undoes_it(quiet_page: Page) -> None:
+    page = quiet_page
+    page.goto("/?view=films&layers=2.3:50,1.38:100")
+    slider = page.get_by_role("slider", name="Thickness of layer 2", exact=True)
+    slider.focus()
+    for _ in range(3):
+        page.keyboard.press("ArrowDown")
+    page.keyboard.press("Shift+ArrowUp")
+    expect(slider).to_have_attribute("aria-valuetext", "1.38, 102.9 nm")
+    expect(page).to_have_url(re.compile(r"layers=2.3%3A50,1.38%3A102.9&film_layer=2"))
+
+
+def test_colors_follow_the_light_that_is_asked_for(quiet_page: Page) -> None:
+    page = quiet_page
+    page.goto("/?view=films")
+    page.get_by_role("button", name="Gold leaf").click()
+    place = page.get_by_role("slider", name="Thickness and angle on the map of colors")
+    told = page.request.get("/api/v1/films/color?layers=Au&n_t=1&thickness_nm=50&quantity=T").json()
+    (color,) = told["colors"][0]["hex"][0]
+    red, green, blue = (int(color[at : at + 2], 16) for at in (1, 3, 5))
+    assert green > max(red, blue)
+    expect(page.locator(".film-swatch", has_text="transmitted")).to_contain_text(color)
+    place.focus()
+    page.keyboard.press("ArrowRight")
+    expect(page).to_have_url(re.compile(r"layers=Au%3A52"))
+
+
+def test_layers_are_added_named_and_taken_away(quiet_page: Page) -> None:
+    page = quiet_page
+    page.goto("/?view=films&layers=1.38:100")
+    page.get_by_role("button", name="add below").click()
+    medium = page.get_by_label("Medium of the layer: a material or an index")
+    medium.fill("0.055+3.32i")
+    medium.press("Enter")
+    expect(page).to_have_url(re.compile(r"layers=1.38%3A100,0.055%2B3.32i%3A100"))
+    expect(page.locator(".film-numbers dl")).to_contain_text("A")
+    page.get_by_role("button", name="remove", exact=True).click()
+    expect(page).to_have_url(re.compile(r"layers=1.38%3A100(?!,)"))
+
+
+def test_titanium_is_colored_by_its_voltage(quiet_page: Page) -> None:
+    page = quiet_page
+    page.goto("/?view=films")
+    page.get_by_role("button", name="Titanium, anodized").click()
+    volts = page.get_by_label("volts, 2.4 nm each, value")
+    expect(volts).to_have_value("25")
+    volts.fill("50")
+    volts.press("Enter")
+    expect(page).to_have_url(re.compile(r"layers=2.4%3A120"))
+
+
+@pytest.mark.parametrize("layers", ["unobtainium:5", "BK7:5:incoherent,Au:1e6:incoherent"])
+def test_a_layer_that_cannot_be_is_told_with_the_way_back(page: Page, layers: str) -> None:
+    page.goto(f"/?view=films&layers={layers}")
+    alert = page.get_by_role("alert").filter(has_text="layers")
+    expect(alert.first).to_be_visible()
+    page.get_by_role("button", name="Back to a coating of glass").click()
+    expect(page.locator(".film-numbers dd").first).to_be_visible()
