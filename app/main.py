@@ -19,6 +19,7 @@ from app import __version__
 from app.api import (
     PREFIX,
     albedo,
+    benchmarks,
     claims,
     convert,
     curves,
@@ -183,6 +184,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         curves.router(registry),
         snell.router(),
         vectors.router(),
+        benchmarks.router(registry),
         polarization.router(),
         films.router(),
         health.router(drain, pool),

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from app.answers.answer import Gaps, Table, Values, answer, number_or_none
 from app.answers.films import Coated, LayerFacts, convention_text, exact_alone, response
 from app.answers.interface import InterfaceFacts
-from app.optics.amplitudes import amplitudes, phase_deg, power
+from app.optics.amplitudes import amplitudes, phase_deg, power, reflectance
 from app.optics.angles import LANDMARKS
 from app.optics.ellipsometry import CORE, Convention, delta_deg, psi_deg
 from app.optics.errors import NotAllowed
@@ -22,6 +22,9 @@ from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.optics.quantities import QUANTITIES
 from app.optics.registry import Model
+
+_OF_BAND = 65
+"""Indices at which a range is sampled."""
 
 COLORS = ("R_red", "R_green", "R_blue")
 """Quantities of a model that is given a color."""
@@ -107,6 +110,7 @@ def curves(
     phase: bool = False,
     refraction: bool = False,
     ellipsometry: bool = False,
+    band: bool = False,
     coated: Coated | None = None,
     convention: Convention = CORE,
 ) -> Curves:
@@ -124,6 +128,9 @@ def curves(
         Whether to add the phases of `exact`, and the angle and depths of its refracted wave.
     ellipsometry
         Whether to add psi and delta of `exact`.
+    band
+        Whether to add the least and the largest R of `exact` over the range of n that the source of
+        a preset gives.
     coated
         The boundary with layers on it, which `exact` alone knows.
     convention
@@ -132,7 +139,8 @@ def curves(
     Raises
     ------
     NotAllowed
-        If another model than `exact` is asked for layers, or phases of an incoherent one.
+        If another model than `exact` is asked for layers, phases of an incoherent one, or a band
+        where no source gives a range.
     """
     if coated is not None:
         exact_alone([chosen.model.id for chosen in models])
@@ -145,6 +153,8 @@ def curves(
         arguments = chosen.arguments(interface)
         if model.id == "exact":
             quantities = list(_exact(interface, incidence, coated, of_waves, convention))
+            if band:
+                quantities += _band(interface, incidence, coated)
             if refraction:
                 quantities += _refracted(interface, incidence)
         else:
@@ -226,6 +236,30 @@ def _exact(
     if "ellipsometry" in of_waves:
         yield "psi_deg", psi_deg(amplitude)
         yield "delta_deg", delta_deg(amplitude)
+
+
+def _band(
+    interface: Interface, incidence: Incidence, coated: Coated | None
+) -> list[tuple[str, Array]]:
+    """The least and the largest R where the sources give n from one value to another.
+
+    R is no monotonic function of n at every angle, so the range is sampled, both ends included.
+    """
+    ranges = []
+    for side, value in (("incident", interface.n_i), ("material", interface.n_t)):
+        resolved = getattr(interface, side, None)
+        preset = None if resolved is None else resolved.preset
+        if preset is None or preset.n_min is None or preset.n_max is None:
+            ranges.append(np.atleast_1d(value))
+        else:
+            ranges.append(np.linspace(preset.n_min, preset.n_max, _OF_BAND))
+    n_i, n_t = np.meshgrid(*ranges, indexing="ij")
+    if n_i.size == 1 or coated is not None:
+        why = "false, but for a bare surface of a preset whose source gives n from one value to another"
+        raise NotAllowed("band", True, why)
+    media = Interface(n_i.reshape(-1, 1), n_t.reshape(-1, 1), interface.k_t)
+    R = reflectance(media, incidence)
+    return [("R_minimum", R.min(axis=0)), ("R_maximum", R.max(axis=0))]
 
 
 def _refracted(interface: Interface, incidence: Incidence) -> list[tuple[str, Array]]:

@@ -28,6 +28,11 @@ class CurvesQuery(ModelsQuery, TableQuery, SamplesQuery, ConventionQuery, Layers
         "has fallen to 1/e, and field_penetration_depth_wavelengths, the field's, twice as deep.",
     )
     ellipsometry: bool = Field(False, description="Add psi_deg and delta_deg of `exact`.")
+    band: bool = Field(
+        False,
+        description="Add R_minimum and R_maximum of `exact` over the range of n that the source of a "
+        "preset gives, as that of garnet.",
+    )
 
     @property
     def takes_long(self) -> bool:
@@ -51,6 +56,7 @@ def router(registry: Registry) -> APIRouter:
             phase=query.phase,
             refraction=query.refraction,
             ellipsometry=query.ellipsometry,
+            band=query.band,
             coated=query.coated(),
             convention=query.signs(),
         )

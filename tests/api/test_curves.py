@@ -19,7 +19,7 @@ from app.optics.numerics import significant
 from app.optics.numerics.significant import round_significant
 from app.optics.registry import default_registry
 from tests.api.raw import send
-from tests.api.shape import Ask, check_shape, json_of
+from tests.api.shape import Ask, check_shape, error_of, json_of
 from tests.optics.reference.fresnel import fresnel
 
 RELATIVE = 1e-12
@@ -334,3 +334,20 @@ def test_every_legal_query_is_answered(
     assert samples <= count <= samples + 3 * ("landmarks" in flags)
     assert all(len(curve["values"]) == count for curve in told["curves"])
     assert {curve["model"] for curve in told["curves"]} == set(models)
+
+
+def test_a_range_of_indices_is_a_band(ask: Ask) -> None:
+    told = json_of(ask("/curves", material="garnet-wloka", band="true", samples=31))
+    values = {curve["quantity"]: np.array(curve["values"]) for curve in told["curves"]}
+    low, high = values["R_minimum"], values["R_maximum"]
+    assert np.all(low <= values["R"])
+    assert np.all(values["R"] <= high)
+    ends = [
+        np.array(json_of(ask("/curves", n_t=n, samples=31))["curves"][0]["values"])
+        for n in (1.73, 1.89)
+    ]
+    np.testing.assert_allclose(low[:20], ends[0][:20], rtol=1e-12)
+    np.testing.assert_allclose(high[:20], ends[1][:20], rtol=1e-12)
+    assert np.all(low <= np.minimum(*ends) + 1e-15)
+    error = error_of(ask("/curves", n_t=1.5, band="true"))
+    assert error["parameter"] == "band"
