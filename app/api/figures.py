@@ -45,7 +45,7 @@ _WIDTH, _HEIGHT = 960, 600
 _SCALE = 2
 """Dots a px, as screens have them today."""
 _MOST_DOTS = 16_000_000
-"""Of a PNG, for which the browser then takes some seconds and half a gigabyte."""
+"""Of a PNG; four times as many took a browser 20 s and 1.5 GB."""
 
 
 class FigureQuery(LongQuery):
