@@ -133,7 +133,7 @@ class _Studio:
             self._process.stdin.flush()
             told = json.loads(self._process.stdout.readline())
             picture = self._process.stdout.read(told["bytes"])
-        except (OSError, ValueError):  # it ended: there is no line, or a part of one
+        except (OSError, ValueError):  # it ended: there is no line, a part of one, or no pipe
             return None
         finally:
             timer.cancel()
@@ -151,4 +151,8 @@ class _Studio:
             else:
                 os.killpg(self._process.pid, signal.SIGKILL)
         self._process.wait()
+        for pipe in (self._process.stdin, self._process.stdout):
+            with suppress(OSError):  # what was not sent yet goes nowhere
+                if pipe is not None:
+                    pipe.close()
         shutil.rmtree(self._scratch, ignore_errors=True)

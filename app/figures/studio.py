@@ -57,7 +57,7 @@ async def draw(asked: BinaryIO, drawn: BinaryIO, script: str) -> None:
         while True:
             job = json.loads(await asyncio.wait_for(waiting.get(), IDLE_S))
             try:
-                picture: bytes = await browser.calc_fig(job["figure"], job["options"])
+                picture: bytes = await browser.calc_fig(job["figure"], opts=job["options"])
             except Exception as error:  # whatever a browser that fails makes it raise
                 tell("failed", type(error).__name__)
                 return

@@ -212,6 +212,7 @@ def replay(folder: Path, minutes: float) -> bool:
         BROWSER_PATH=str(browser_script(folder, hangs)),
         FRESNEL_PICTURE_TIMEOUT_S=str(PICTURE_S),
         FRESNEL_GRACE_S=str(GRACE_S),
+        FRESNEL_CACHE_BYTES="8000000",  # which is full after the first round
         FRESNEL_REPLAY=mark,
     ) as served:
         stage = Stage(served, mark, hangs)
