@@ -45,8 +45,9 @@ unit: $(VENV)/test.stamp node_modules/stamp glslang ## every test that needs no 
 browser: $(VENV)/test.stamp node_modules/stamp shell chromium ## the tests in Chromium
 	$(PYTEST) tests/browser
 
-fuzz: $(VENV)/test.stamp ## send 100,000 generated requests, read 200,000 generated files, and say what came back, in some 60 minutes
+fuzz: $(VENV)/test.stamp ## send 100,000 generated requests, as many through nginx, read 200,000 generated files, and say what came back, in some 80 minutes
 	FUZZ_REQUESTS=100000 FUZZ_EXAMPLES=300 pytest tests/fuzz -s --ignore tests/fuzz/test_reading.py
+	FUZZ_THROUGH_NGINX=1 FUZZ_REQUESTS=100000 pytest tests/fuzz/test_requests.py -s
 	FUZZ_READS=200000 pytest tests/fuzz/test_reading.py -s
 
 bench: $(VENV)/test.stamp chromium ## measure what the project claims about its speed

@@ -58,9 +58,6 @@ POINT_METRICS: tuple[PointMetric, ...] = get_args(PointMetric)
 _LARGEST: frozenset[Metric] = frozenset({"max_abs", "max_abs_at_deg", "error_at_max"})
 _RELATIVE: frozenset[Metric] = frozenset({"max_relative", "max_relative_at_deg"})
 
-MOST_EVALUATIONS = 60_000_000
-"""Evaluations of the model that one call of `measure` may take, some seconds' worth."""
-
 _ASTRAY = 1e-4
 """Share of an error by which a polynomial may miss it where it is largest; beyond, it is sought."""
 
@@ -86,13 +83,23 @@ class Quality:
     """How the largest error is sought, see `app.optics.numerics.peaks.largest`."""
     reference: Callable[[Interface, Incidence], Array]
     """The exact R; where it is small and relative errors are wanted, `exact` takes its place."""
+    most_nodes: int
+    """Nodes that one call of `measure` may have, some seconds' worth."""
 
 
-PRECISE = Quality(double_exponential(), crowded_gauss_legendre(20), None, 15, 5, reflectance)
+PRECISE = Quality(
+    double_exponential(), crowded_gauss_legendre(20), None, 15, 5, reflectance, 20_000_000
+)
 """Integrals to 1e-12, the largest error to 1e-13, its angle to 1e-5 degrees."""
 
 FAST = Quality(
-    crowded_gauss_legendre(20), gauss_legendre(3), root_gauss_legendre(14), 7, 4, lagarde_conductor
+    crowded_gauss_legendre(20),
+    gauss_legendre(3),
+    root_gauss_legendre(14),
+    7,
+    4,
+    lagarde_conductor,
+    60_000_000,
 )
 """For maps of many interfaces: integrals to 1e-4, the largest error to 0.2 % of itself, most of them
 far better. The exact R is taken from a form that is cheaper."""
@@ -163,7 +170,7 @@ def measure(
     Raises
     ------
     NotAllowed
-        If it would take more than `MOST_EVALUATIONS`.
+        If it would take more nodes than `quality` allows.
 
     Examples
     --------
@@ -182,8 +189,8 @@ def measure(
     media = (interface.n_i, interface.n_t, interface.k_t)
     shape = np.broadcast_shapes(*(a.shape for a in (*media, *values.values())))
     total = int(np.prod(shape, dtype=np.int64))
-    if total * nodes > MOST_EVALUATIONS:
-        most = MOST_EVALUATIONS // nodes
+    if total * nodes > quality.most_nodes:
+        most = quality.most_nodes // nodes
         raise NotAllowed("steps", total, f"at most {most} interfaces at once with {model.id}")
     curves = _ErrorCurves(
         model,

@@ -428,3 +428,17 @@ def test_files_that_may_be_open_are_never_made_fewer() -> None:
     before = resource.getrlimit(resource.RLIMIT_NOFILE)
     allow_open_files(1)
     assert resource.getrlimit(resource.RLIMIT_NOFILE) == before
+
+
+@pytest.mark.parametrize("size", [64, 256])
+def test_a_sweep_of_a_model_with_many_kinks_is_bounded_by_what_it_takes(
+    size: int,
+) -> None:
+    """Each of its pieces is integrated by itself; twenty thousand steps took more than 30 s."""
+    target = API + b"/errors/sweep?model=lut_1d&lut_1d.size=%d&steps=20001" % size
+    answer = send(APP, target)
+    assert answer.status == 422
+    (error,) = answer.json()["errors"]
+    assert error["parameter"] == "steps"
+    (told,) = re.findall(r"at most (\d+) interfaces", error["message"])
+    assert 500_000 < int(told) * size < 1_000_000

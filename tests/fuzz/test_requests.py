@@ -1,6 +1,6 @@
 """Generated requests over the wire: no 5xx, every error a problem, memory flat.
 
-`make fuzz` sends 100,000 of them and prints what came back.
+`make fuzz` sends 100,000 of them, to the server and through nginx, and prints what came back.
 """
 
 import json
@@ -20,8 +20,10 @@ from app.main import create_app
 from app.optics.registry import default_registry
 from tests.fuzz.strategies import Request, operations, requests
 from tests.serve.command import Served, serving
+from tests.serve.nginx import find_nginx, in_front_of
 
 REQUESTS = int(os.environ.get("FUZZ_REQUESTS", "600"))
+THROUGH_NGINX = bool(os.environ.get("FUZZ_THROUGH_NGINX"))
 SEED = int(os.environ.get("FUZZ_SEED", "7"))
 KNOWN = operations(create_app().openapi())
 IDS = [*default_registry(), "Au", "water", "BK7", "vacuum", "nope"]
@@ -71,8 +73,19 @@ def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
 
 
 @pytest.fixture(scope="module")
-def client(served: Served) -> Iterator[Client]:
-    client = Client(served)
+def front(served: Served, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
+    """What is asked: the server, or nginx before it."""
+    if not THROUGH_NGINX:
+        yield served
+        return
+    nginx = find_nginx(tmp_path_factory.mktemp("unpacked"))
+    with in_front_of(nginx, tmp_path_factory.mktemp("nginx"), [f"127.0.0.1:{served.port}"]) as site:
+        yield site
+
+
+@pytest.fixture(scope="module")
+def client(front: Served) -> Iterator[Client]:
+    client = Client(front)
     yield client
     client.close()
 
@@ -88,7 +101,10 @@ def resident(served: Served) -> int:
 
 def judge(request: Request, status: int, headers: HTTPMessage, body: bytes) -> None:
     """Check what every answer has to be."""
-    assert status < 500, (request, body[:500])
+    if status == 503:
+        assert headers["Retry-After"], (request, body[:500])
+    else:
+        assert status < 500, (request, body[:500])
     media_type = headers["Content-Type"]
     if request.method == b"HEAD" or status in (204, 304):
         assert body == b""

@@ -48,7 +48,7 @@ class Site:
             time.sleep(0.05)
 
 
-REFUSED = (400, 404, 413, 414, 494, 500, 502, 503, 504)
+REFUSED = (400, 404, 405, 413, 414, 416, 494, 500, 501, 502, 503, 504, 505)
 TESTED = "".join(f"location = /refused/{status} {{ return {status}; }}\n" for status in REFUSED)
 
 
