@@ -63,6 +63,18 @@ class Measured:
         return self.n_i, self.n_t, self.k_t
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Peak:
+    """A parameter that a curve has at its top: for languages that have to look for it themselves."""
+
+    cosines: Array
+    """Ascending; the top lies between the neighbors of the highest, which is not an end."""
+    height: Callable[..., Array]
+    """Of the cosine mu and quantities of the interface."""
+    value: Callable[..., Array]
+    """The parameter, of the cosine of the top, quantities of the interface and parameters before it."""
+
+
 ROUNDED_AT = ((1.0, 1.5, 0.0), (1.0, 1.000001, 0.0))
 """Interfaces at which it is said what rounding costs an exact form: glass, and next to no boundary."""
 
@@ -96,6 +108,8 @@ class Model:
     solve: Mapping[str, Callable[..., Array]] = field(default_factory=dict, hash=False)
     """How each parameter without a default is worked out where it is not given, by name: a function of
     the interface and of any parameters that stand before it, by their names."""
+    peaks: Mapping[str, Peak] = field(default_factory=dict, hash=False)
+    """Of those in `solve` that are no closed formula, what they are found by."""
     limits: Callable[[Interface], str | None] = field(default=lambda _: None)
     """Returns why an interface lies outside the domain, or None inside; asked after
     `applies_to`."""

@@ -10,8 +10,8 @@ from hashlib import sha256
 
 from app.optics import real
 from app.optics.angles import LEAST_RP, QUADRATURE, Zero
-from app.optics.registry import Model
-from app.snippets.formula import Formula, Untranslatable, read
+from app.optics.registry import Model, Peak
+from app.snippets.formula import MU, Formula, Untranslatable, read
 from app.snippets.languages import LANGUAGES
 from app.snippets.snippet import formula_of, reason_without
 
@@ -35,6 +35,21 @@ function zero(f, low, high) {
         else low = middle;
     }
     return low;
+}
+
+/** The cosine where f is largest, between the neighbors of the highest of some, by golden sections. */
+function top(f, cosines) {
+    const heights = cosines.map(f);
+    const highest = heights.indexOf(Math.max(...heights));
+    const best = Math.min(Math.max(highest, 1), cosines.length - 2);
+    let [low, high] = [cosines[best - 1], cosines[best + 1]];
+    const share = 0.5 * (Math.sqrt(5) - 1);
+    for (let i = 0; i < 40; i += 1) {
+        const step = share * (high - low);
+        if (f(high - step) > f(low + step)) high = low + step;
+        else low = high - step;
+    }
+    return 0.5 * (low + high);
 }
 """
 
@@ -71,6 +86,22 @@ class _Module:
         lossless = f"{self.add(read(real.brewster_deg))}(eta, kappa)"
         return f'takes((eta, kappa) => kappa === 0 ? {lossless} : {angle}, "eta", "kappa")'
 
+    def at_top(self, peak: Peak, name: str) -> str:
+        """Write a parameter that a curve has at its top."""
+        height, value = read(peak.height, f"{name}_height"), read(peak.value, f"{name}_at")
+        taken = [a for a in dict.fromkeys(height.arguments + value.arguments) if a != MU]
+        names = ", ".join(f'"{a}"' for a in taken)
+        cosines = ", ".join(f"{x:.4g}" for x in peak.cosines)
+        found = f"top(({MU}) => {_called(height)}, [{cosines}])"
+        self.add(height)
+        self.add(value)
+        return f"takes(({', '.join(taken)}) => {_called(value, found)}, {names})"
+
+
+def _called(formula: Formula, cosine: str = MU) -> str:
+    given = ", ".join(cosine if a == MU else a for a in formula.arguments)
+    return f"{formula.name}({given})"
+
 
 def kernels(registry: Mapping[str, Model]) -> str:
     """Write the module.
@@ -93,6 +124,9 @@ def kernels(registry: Mapping[str, Model]) -> str:
             parts |= {name: module.angle(zero) for name, zero in _ZEROS.items()}
         solved = [
             f"            {name}: {module.taking(formula)}," for name, formula in _solved(model)
+        ] + [
+            f"            {name}: {module.at_top(peak, f'{model.id}_{name}')},"
+            for name, peak in model.peaks.items()
         ]
         lines = [f"        {name}: {text}," for name, text in parts.items()]
         if solved:

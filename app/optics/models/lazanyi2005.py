@@ -4,10 +4,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize.elementwise import find_root
 
-from app.optics.amplitudes import amplitudes, reflectance, wave
+from app.optics.amplitudes import amplitudes, wave
+from app.optics.interface import normal_reflectance
 from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model, Parameter
+from app.optics.models.exact import exact_real
 from app.optics.models.lagarde_conductor import lagarde_conductor
 from app.optics.models.schlick_ior import schlick_ior
+from app.optics.registry import Peak
+from app.optics.specular import polynomial
 
 ALPHA = Parameter(
     "alpha",
@@ -78,16 +82,21 @@ def solve_alpha(interface: Interface, a: Array) -> Array:
         Of the broadcast shape; NaN where Schlick exceeds the exact R nowhere, or by more than the
         term can with a positive alpha.
     """
-    return _alpha_at(interface, a, largest_error_cosine(interface))
+    return alpha_at(largest_error_cosine(interface), *_media(interface), a)
 
 
-def _alpha_at(interface: Interface, a: Array, mu: Array) -> Array:
+def excess(mu: Array, n_i: Array, n_t: Array, k_t: Array) -> Array:
+    """How far Schlick exceeds the exact R at the cosine mu."""
+    F0 = normal_reflectance(n_i, n_t, k_t)
+    return polynomial(F0, mu) - exact_real(mu, n_t / n_i, k_t / n_i)
+
+
+def alpha_at(mu: Array, n_i: Array, n_t: Array, k_t: Array, a: Array) -> Array:
     """Alpha with which the term equals Schlick's error at the cosine mu, or NaN."""
-    error = schlick_ior(interface, at := Incidence.from_cosine(mu)) - reflectance(interface, at)
-    reach = a * mu
-    possible = (error > 0.0) & (error < reach)
-    ratio = np.divide(error, reach, out=np.full(possible.shape, np.nan), where=possible)
-    return np.asarray(np.log(ratio) / np.log1p(-mu))
+    error = excess(mu, n_i, n_t, k_t)
+    reach = np.maximum(a * mu, 1e-300)
+    ratio = np.where((error > 0.0) & (error < reach), error / reach, np.nan)
+    return np.log(ratio) / np.log(1.0 - mu)
 
 
 def _media(interface: Interface) -> tuple[Array, Array, Array]:
@@ -101,7 +110,7 @@ def solved_a(interface: Interface) -> Array:
 
 def _outside(interface: Interface) -> str | None:
     # The scan tells as well as the solved angle whether there is an alpha at all.
-    alpha = _alpha_at(interface, 2.0 * interface.eta, _SCAN[_scan(interface)])
+    alpha = alpha_at(_SCAN[_scan(interface)], *_media(interface), 2.0 * interface.eta)
     if bool(np.any(np.isnan(alpha))):
         return "no positive alpha brings the term to Schlick's largest error"
     return None
@@ -121,6 +130,7 @@ MODEL = Model(
     function=lazanyi2005,
     parameters=(A, ALPHA),
     solve={"a": solved_a, "alpha": solve_alpha},
+    peaks={"alpha": Peak(_SCAN, excess, alpha_at)},
     leaves_0_to_1=True,
     limits=_outside,
     measured=(
