@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from itertools import takewhile
-from typing import Any
+from typing import Any, NotRequired
 
 from typing_extensions import TypedDict
 
 from app.answers.answer import Table, answer
 from app.answers.interface import CONVENTION, ResolvedPreset
+from app.answers.materials.rgb_nk import RgbNk
 from app.materials.media import Resolved
 from app.optics.conversions import Conversion, Form, Status, convert, know
 
@@ -84,6 +85,7 @@ Conversions = TypedDict(  # a dataclass has no field named `from`
         "convention": str,
         "material": ResolvedPreset | None,
         "results": list[Converted],
+        "rgb_nk": NotRequired[RgbNk],
     },
 )
 """Every form of what was given."""

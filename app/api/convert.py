@@ -1,17 +1,20 @@
 """`/convert`: an interface in every other form, each with what is lost."""
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from fastapi import APIRouter, Query
 from pydantic import BeforeValidator, Field, WithJsonSchema
 
 from app.answers.answer import Table
 from app.answers.conversions import Conversions, conversions, table
+from app.answers.materials.rgb_nk import rgb_nk
 from app.api.model_parameters import one_or_three
 from app.api.params import InterfaceQuery, number
 from app.http.problems import BadParameters, ParameterError
 from app.http.query import Number, TableQuery, plain
 from app.http.route import QueryRoute
+from app.materials.media import default_catalog
+from app.materials.schema import Preset
 from app.optics.conversions import (
     F0_LINEAR,
     F0_SRGB,
@@ -67,6 +70,11 @@ class ConvertQuery(InterfaceQuery, TableQuery):
     specular: Number | None = number(SPECULAR)
     reflectance: Number | None = number(FILAMENT)
     seen_from: Number = number(SEEN_FROM)
+    to: Literal["rgb_nk"] | None = Field(
+        None,
+        description="`rgb_nk` adds three pairs of n and k that match the color of the material at all "
+        "angles, for engines that keep one pair a channel; it takes a material and n_i = 1.",
+    )
 
 
 def given_values(query: ConvertQuery) -> dict[str, tuple[float, ...]]:
@@ -112,6 +120,29 @@ def given_values(query: ConvertQuery) -> dict[str, tuple[float, ...]]:
     return {n: v if len(v) == channels else v * channels for n, v in found.items()}
 
 
+def _colored(query: ConvertQuery) -> Preset:
+    """Return the preset whose color is to be matched.
+
+    Raises
+    ------
+    BadParameters
+        If there is none, if it is seen from another medium, or if a table is asked for.
+    """
+    errors: list[ParameterError] = []
+    if query.material is None:
+        message = "needed by to=rgb_nk: three channels are not known from one interface"
+        errors.append({"parameter": "material", "value": None, "message": message})
+    if query.n_i != 1.0:
+        message = "1 beside to=rgb_nk, whose pairs are for a surface in air or vacuum"
+        errors.append({"parameter": "n_i", "value": query.n_i, "message": message})
+    if query.format == "csv":
+        message = "json beside to=rgb_nk"
+        errors.append({"parameter": "format", "value": query.format, "message": message})
+    if errors or query.material is None:
+        raise BadParameters(*errors)
+    return default_catalog().get(query.material)
+
+
 def router() -> APIRouter:
     """Routes about conversions."""
     routes = APIRouter(route_class=QueryRoute, tags=["convert"])
@@ -126,6 +157,8 @@ def router() -> APIRouter:
             hex=query.hex,
             material=query.interface().material,
         )
+        if query.to == "rgb_nk":
+            found["rgb_nk"] = rgb_nk(_colored(query))
         return table(found) if query.format == "csv" else found
 
     return routes

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.materials.spectrum import Spectrum
+from app.materials.spectrum import Colored, Spectrum
 from app.optics.amplitudes import reflectance
 from app.optics.color import (
     Adaptation,
@@ -142,7 +142,7 @@ def normal_reflectance(n: Array, k: Array | None) -> tuple[Array, list[str]]:
 
 
 def color_curve(
-    spectrum: Spectrum,
+    spectrum: Colored,
     incidence: Incidence,
     n_i: ArrayLike = 1.0,
     viewing: Viewing = DAYLIGHT,
@@ -180,7 +180,7 @@ def color_curve(
 
 
 def appearance(
-    spectrum: Spectrum,
+    spectrum: Colored,
     n_i: ArrayLike = 1.0,
     viewing: Viewing = DAYLIGHT,
 ) -> Appearance:
@@ -199,7 +199,7 @@ def appearance(
 
 
 def averaged_interface(
-    spectrum: Spectrum, n_i: ArrayLike = 1.0, viewing: Viewing = DAYLIGHT
+    spectrum: Colored, n_i: ArrayLike = 1.0, viewing: Viewing = DAYLIGHT
 ) -> Interface:
     """Boundary of constants averaged to three channels, as renderers do that have no spectra.
 

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -33,6 +34,14 @@ class Visible:
     """Of the same shape. Where the range ends within the visible, the end value is held."""
     warnings: tuple[str, ...]
     """What was held, and whether k is not known and counts as 0."""
+
+
+class Colored(Protocol):
+    """Whatever has n and k over the visible, so that it has a color."""
+
+    @property
+    def visible(self) -> Visible:
+        """At `app.optics.color.WAVELENGTH_NM`."""
 
 
 class Spectrum:

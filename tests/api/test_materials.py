@@ -188,6 +188,39 @@ def test_colors_are_those_of_the_core(ask: Ask) -> None:
     assert answer["luminance"] == color.luminance
 
 
+def test_pairs_of_n_and_k_stand_beside_other_ways(ask: Ask) -> None:
+    answer = ask("/materials/Cr/rgb_nk").json()
+    ways = {way["way"]: way for way in answer["ways"]}
+    assert list(ways) == ["fitted", "three_wavelengths", "averaged", "f82_tint"]
+    assert ways["fitted"]["inputs"] == {"n": answer["n"], "k": answer["k"]}
+    errors = {name: way["error"]["max_abs"] for name, way in ways.items()}
+    assert errors["fitted"] < 1e-3 < errors["averaged"] < errors["three_wavelengths"]
+    assert errors["f82_tint"] > 0.01
+    # At the angle that is said, the channel that is said is as far off as is said, by another route.
+    tint = ways["f82_tint"]["error"]
+    curves = ask("/materials/Cr/curves", models="f82_tint", samples=361, gamut="clamped").json()[
+        "rgb"
+    ]["curves"]
+    truth, model = (np.array(curve[f"R_{tint['channel']}"]) for curve in curves)
+    row = round(4 * tint["at_deg"])
+    assert abs(model - truth)[row] == pytest.approx(tint["max_abs"], abs=1e-12)
+    assert abs(model - truth).max() == pytest.approx(tint["max_abs"], abs=1e-12)
+
+
+def test_convert_has_the_pairs_where_asked(ask: Ask) -> None:
+    pairs = ask("/convert", **{"from": "nk"}, material="Au", to="rgb_nk").json()["rgb_nk"]
+    assert pairs == ask("/materials/gold/rgb_nk").json()
+    assert "rgb_nk" not in ask("/convert", **{"from": "nk"}, material="Au").json()
+    for query, name in (
+        ({"n_t": "1.5"}, "material"),
+        ({"material": "water", "n_i": "1.2"}, "n_i"),
+        ({"material": "water", "format": "csv"}, "format"),
+    ):
+        answer = ask("/convert", to="rgb_nk", **query)
+        assert answer.status_code == 422
+        assert [e["parameter"] for e in answer.json()["errors"]] == [name]
+
+
 # What is refused
 
 
@@ -198,7 +231,7 @@ def test_a_wavelength_is_refused_as_it_was_given(ask: Ask) -> None:
 
 
 def test_an_unknown_id_names_the_nearest(ask: Ask) -> None:
-    for tail in ("", "/spectrum", "/curves", "/map"):
+    for tail in ("", "/spectrum", "/curves", "/map", "/rgb_nk"):
         answer = ask(f"/materials/goldd{tail}")
         assert answer.status_code == 404
         assert "nearest: Au" in answer.json()["errors"][0]["message"]
@@ -210,7 +243,7 @@ def test_answers_have_names_and_wavelengths_a_unit(app: FastAPI) -> None:
         for path, of in app.openapi()["paths"].items()
         if "/materials" in path and "get" in of
     }
-    assert len(paths) == 5
+    assert len(paths) == 6
     for path, methods in paths.items():
         answer = methods["get"]["responses"]["200"]["content"]["application/json"]
         assert "$ref" in answer["schema"], path

@@ -2,13 +2,12 @@
 
 from dataclasses import fields
 
-import numpy as np
-
 from app.answers.answer import answer, filled
 from app.answers.materials.about import Rgb
 from app.answers.materials.listing import Material, Swatch, hex_of, in_gamut
 from app.materials.appearance import DAYLIGHT, Appearance, Viewing, appearance
 from app.materials.catalog import Spread
+from app.materials.colored import colored
 from app.materials.media import default_catalog, resolve_material
 from app.materials.schema import (
     Channels,
@@ -22,14 +21,10 @@ from app.materials.schema import (
 )
 from app.optics.color import (
     TRANSFER,
-    WAVELENGTH_NM,
     Adaptation,
     Gamut,
     Illuminant,
     Observer,
-    linear_srgb,
-    luminance,
-    rendered_white,
 )
 from app.optics.interface import Interface
 from app.optics.parameters import Array
@@ -171,7 +166,7 @@ def detail(
         As `resolve_material` does.
     """
     catalog = default_catalog()
-    color = _appearance(preset, viewing)
+    color = appearance(colored(preset), 1.0, viewing)
     file = catalog.spectrum(preset.id).file if preset.kind == "spectrum" else None
     display = _display(color, gamut, viewing.observer)
     return MaterialDetail(
@@ -201,21 +196,6 @@ def detail(
         ],
         spread=catalog.spread(preset.id),
         database=catalog.database,
-    )
-
-
-def _appearance(preset: Preset, viewing: Viewing) -> Appearance:
-    """Colors of a preset; a single index reflects all wavelengths alike."""
-    if preset.kind == "spectrum":
-        return appearance(default_catalog().spectrum(preset.id), 1.0, viewing)
-    boundary = Interface(1.0, preset.n_absolute, preset.k or 0.0)
-    F0, at_82 = (np.full(WAVELENGTH_NM.size, float(R)) for R in (boundary.F0, F82(boundary)))
-    return Appearance(
-        F0=linear_srgb(F0, *viewing),
-        F82=linear_srgb(at_82, *viewing),
-        luminance=float(luminance(F0, *viewing[:2])),
-        warnings=(),
-        white=rendered_white(*viewing),
     )
 
 

@@ -12,6 +12,7 @@ from app.answers.materials.detail import MaterialDetail, detail
 from app.answers.materials.listing import Material, Materials
 from app.answers.materials.listing import materials as listed
 from app.answers.materials.map import MaterialMap, reflectance_map
+from app.answers.materials.rgb_nk import RgbNk, rgb_nk
 from app.answers.materials.spectrum import MaterialSpectrum
 from app.answers.materials.spectrum import spectrum as constants
 from app.api.materials.queries import (
@@ -19,6 +20,7 @@ from app.api.materials.queries import (
     ListQuery,
     MapQuery,
     MaterialCurvesQuery,
+    RgbNkQuery,
     SpectrumQuery,
 )
 from app.api.params import reported_as
@@ -73,6 +75,13 @@ def router(registry: Registry | None = None) -> APIRouter:
             steps=query.steps,
             samples=query.samples,
         )
+
+    @routes.get(
+        "/materials/{material}/rgb_nk",
+        summary="n and k a channel for engines without spectra, and how far they are off",
+    )
+    def pairs(material: str, query: Annotated[RgbNkQuery, Query()]) -> RgbNk:
+        return rgb_nk(found(material), query.viewing(), query.gamut, query.space)
 
     @routes.get(
         "/materials/{material}/curves",

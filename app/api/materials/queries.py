@@ -21,7 +21,7 @@ from app.http.query import Count, DigitsQuery, Number, QueryModel, TableQuery
 from app.materials.appearance import Viewing
 from app.materials.front import Front
 from app.materials.schema import Category
-from app.optics.color import Adaptation, Gamut, Illuminant, Observer
+from app.optics.color import Adaptation, Gamut, Illuminant, Observer, Space
 from app.optics.errors import NotAllowed
 from app.optics.parameters import N_I, Array
 from app.optics.registry import Model, Registry
@@ -92,6 +92,18 @@ class DetailQuery(ColorQuery, DigitsQuery):
         examples=[587.6],
     )
     gamut: Gamut = _gamut("scaled")
+
+
+class RgbNkQuery(ColorQuery, DigitsQuery):
+    """How the three channels are made that n and k are fitted to."""
+
+    gamut: Gamut = _gamut("clamped")
+    space: Space = Field("srgb", description="Linear sRGB or ACEScg.")
+
+    @property
+    def takes_long(self) -> bool:
+        """Always: three searches over the hemisphere."""
+        return True
 
 
 class FrontQuery(QueryModel):
