@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote, unquote, urlencode
@@ -16,7 +17,7 @@ import typer.main
 from pydantic.fields import FieldInfo
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
-from typer.core import TyperGroup
+from typer.core import TyperCommand, TyperGroup
 
 from app.answers.rounding import rounded
 from app.api import PREFIX
@@ -26,6 +27,7 @@ from app.cli.options import FILE_PANEL, OUTPUT, argument, output_parameters, par
 from app.cli.tables import Sheets
 from app.http.problems import PROBLEMS, problem_of
 from app.http.writing import csv_bytes, write
+from app.optics.meant import in_our_unit
 from app.settings import Settings
 
 _DIGITS = "6"  # of a table, where nobody asked for more
@@ -279,6 +281,22 @@ def _draw(command: Command, given: Mapping[str, str], output: Mapping[str, Any])
         typer.echo(plots.open_page(_written(path, taken | {"format": "html"})), err=True)
 
 
+class _InOurUnits(TyperCommand):
+    """A command that tells the factor where an option ends in another unit than ours."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Refuse such an option in the API's words; the rest is typer's."""
+        known = {option.removeprefix("--") for one in self.params for option in one.opts}
+        for word, following in pairwise([*args, ""]):
+            name, _, value = word.removeprefix("--").partition("=")
+            if word.startswith("--") and name not in known:
+                told = in_our_unit(name, known, value or following)
+                if told is not None:
+                    typer.echo(f"Error: {name}: unknown parameter; {told}", err=True)
+                    raise typer.Exit(2)
+        return super().parse_args(ctx, args)
+
+
 def _command(command: Command) -> Callable[..., None]:
     """Write the function of a command; typer reads its options from its signature."""
     fields = _fields(command.route.replace("{material}", "Au"))
@@ -318,6 +336,7 @@ class WithQueries(TyperGroup):
         """Find a command, or make it."""
         if name in _BY_NAME and name not in self.commands:
             single = typer.Typer(add_completion=False)
-            single.command(name, help=_BY_NAME[name].help)(_command(_BY_NAME[name]))
+            made = single.command(name, cls=_InOurUnits, help=_BY_NAME[name].help)
+            made(_command(_BY_NAME[name]))
             self.commands[name] = typer.main.get_command(single)
         return super().get_command(context, name)

@@ -1,6 +1,6 @@
 """Every error as an RFC 9457 problem, in one shape."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from difflib import get_close_matches
 from http import HTTPStatus
 from typing import Any, TypedDict
@@ -154,6 +154,12 @@ def _on_bad_parameters(request: Request, error: BadParameters) -> ProblemRespons
     return _refused(request, 422, error.errors)
 
 
+def told_by(error: Mapping[str, Any]) -> str:
+    """The words of one of pydantic's errors, without what it puts before those of a validator."""
+    message: str = error["msg"]
+    return message.removeprefix("Value error, ")
+
+
 def _on_validation(request: Request, error: RequestValidationError) -> ProblemResponse:
     return _refused(
         request,
@@ -162,7 +168,7 @@ def _on_validation(request: Request, error: RequestValidationError) -> ProblemRe
             {
                 "parameter": ".".join(str(part) for part in e["loc"][1:]) or str(e["loc"][0]),
                 "value": e.get("input"),
-                "message": e["msg"],
+                "message": told_by(e),
             }
             for e in error.errors()
         ],

@@ -18,7 +18,13 @@ from pydantic.fields import FieldInfo
 from starlette.responses import Response
 
 from app.http.body import Effort
-from app.http.problems import MOST_ERRORS, BadParameters, ParameterError, unknown_parameter
+from app.http.problems import (
+    MOST_ERRORS,
+    BadParameters,
+    ParameterError,
+    told_by,
+    unknown_parameter,
+)
 from app.http.query import QueryModel
 from app.http.serving import ClientGone, Serving, Unsent
 from app.http.writing import write
@@ -191,7 +197,7 @@ def explain(error: ValidationError, fields: Mapping[str, FieldInfo]) -> list[Par
             "parameter": str(e["loc"][0]),
             "value": e["input"],
             "message": instead(str(e["loc"][0]), e["input"])
-            or e["msg"] + _range(fields[str(e["loc"][0])]),
+            or told_by(e) + _range(fields[str(e["loc"][0])]),
         }
         for e in error.errors(include_url=False, include_context=False)
     ]

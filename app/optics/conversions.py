@@ -291,7 +291,7 @@ def _ior(known: Known) -> Conversion:
     if known.absorbs:
         why = "a dielectric of the same F0; k is lost, and with it every other angle"
         return Conversion("ior", values, "lossy", why)
-    return Conversion("ior", values, "exact", _IF_CLEAR + _warning(known))
+    return Conversion("ior", values, *_of_F0_alone(known))
 
 
 def _nk(known: Known) -> Conversion:

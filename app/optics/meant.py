@@ -8,6 +8,9 @@ import numpy as np
 SHORTEST_NM = 10.0
 """Below this a wavelength in nanometers is most likely one in micrometers."""
 
+_LONGEST_M = 1e-4
+"""Below this it is most likely one in meters: no spectrum is known at 100 fm, many to 100 um."""
+
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?"
 _PERCENT = re.compile(rf"\s*(-?{_NUMBER})\s*%\s*", re.IGNORECASE)
 _LONGEST = 100  # letters that are looked into: the patterns take time as its square
@@ -53,8 +56,11 @@ def instead(name: str, given: object) -> str | None:
 
 
 def in_nm(value: float) -> str:
-    """Ask whether a wavelength of a few nanometers was meant in micrometers; else nothing."""
-    return f"; in nm: did you mean {1e3 * value:.10g}?" if 0.0 < value < SHORTEST_NM else ""
+    """Ask whether a few nanometers were meant in micrometers, or far less in meters; else nothing."""
+    if not 0.0 < value < SHORTEST_NM:
+        return ""
+    _, factor = UNITS["m" if value < _LONGEST_M else "um"]
+    return f"; in nm: did you mean {factor * value:.10g}?"
 
 
 def in_our_unit(name: str, known: Collection[str], value: object = None) -> str | None:

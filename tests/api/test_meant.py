@@ -70,6 +70,26 @@ def test_a_wavelength_in_micrometers(ask: Ask, path: str, query: dict[str, str])
     assert error_of(ask(path, **query))["message"].endswith("; in nm: did you mean 550?")
 
 
+def test_a_wavelength_in_meters(ask: Ask) -> None:
+    error = error_of(ask("/snell", material="Au", wavelength_nm="5.5e-7"))
+    assert error["message"].endswith("; in nm: did you mean 550?")
+
+
+@pytest.mark.parametrize(
+    ("path", "query"),
+    [
+        ("/films/color", {"layers": "1.33", "thickness_nm": "5..1:3"}),
+        ("/films/color", {"layers": "1.33", "thickness_nm": "abc"}),
+        ("/films/solve", {"layers": "1.33", "target": "color", "thickness_nm": "1,-2"}),
+    ],
+)
+def test_the_words_of_a_validator_are_told_as_they_are(
+    ask: Ask, path: str, query: dict[str, str]
+) -> None:
+    message = error_of(ask(path, **query))["message"]
+    assert message.startswith(("first..last:steps", "each ")), message
+
+
 @pytest.mark.parametrize(
     ("name", "value", "message"),
     [

@@ -108,6 +108,8 @@ def test_a_flag_is_sent() -> None:
         (("recommend", "--max_error", "2"), ("max_error = 2",)),
         (("curve", "--save", "figure.gif"), ("format = gif",)),
         (("curve", "--nonsense", "1"), ("nonsense",)),
+        (("snell", "--wavelength_um", "0.55"), ("times 1000", "wavelength_nm = 550")),
+        (("film", "--minimum_um=0.4"), ("times 1000", "minimum_nm = 400")),
         (("curve", "--format", "xml"), ("xml",)),
         (("material",), ("MATERIAL",)),
     ],

@@ -22,6 +22,7 @@ test("another sign and complex indices are told what to give", () => {
 
 test("a wavelength of a few nanometers may be one in micrometers", () => {
   assert.equal(inMicrometers(0.55), "in nm: did you mean 550?");
+  assert.equal(inMicrometers(5.5e-7), "in nm: did you mean 550?"); // in meters
   assert.equal(instead("wavelength_nm", 0.55), "in nm: did you mean 550?");
   for (const nm of [null, 0, 10, 550]) assert.equal(inMicrometers(nm), "");
 });

@@ -154,7 +154,7 @@ def test_the_index_is_not_in_F0() -> None:
 
 def test_what_holds_of_a_dielectric_alone_says_so() -> None:
     gold = [all_of(know("f0", F0=F0)) for F0 in (0.947, 0.776, 0.371)]
-    for form in ("f82", "f82_tint", "f0_seen_from"):
+    for form in ("ior", "f82", "f82_tint", "f0_seen_from"):
         assert [forms[form].status for forms in gold] == ["dielectric only"] * 3
         assert all("does not absorb" in forms[form].why for forms in gold)
     impossible = ["no medium without absorption" in forms["f82_tint"].why for forms in gold]

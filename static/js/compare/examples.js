@@ -13,13 +13,16 @@ import { words } from "../page/prose.js";
  *   source: {author: string, year: number, where: string}}} Claim
  */
 
+/** A verdict as a sentence. @param {string} verdict */
+const said = (verdict) => (verdict.startsWith("nothing") ? `There is ${verdict}` : `It ${verdict}`);
+
 /** What was claimed, and what is so. @param {Claim} claim */
 const told = ({ id, claimed, found, verdict, source }) => html`<p>
     <b title=${source.where}>${source.author} ${source.year}:</b> ${words(claimed)}
   </p>
   <p class="found">
     <span class="tag">measured</span> ${words(found)}
-    ${pageLink(`It ${verdict}: figures and requests`, "theory", { section: "claims", claim: id })}
+    ${pageLink(`${said(verdict)}: figures and requests`, "theory", { section: "claims", claim: id })}
   </p>`;
 
 /** @param {ViewContext} context */

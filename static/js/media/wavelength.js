@@ -93,9 +93,12 @@ export function stretch([low, high]) {
 /** A wavelength below this, in nm, is most likely one in µm, as the server holds too. */
 const SHORTEST_NM = 10;
 
-/** @param {number | null} nm @returns {string} the question whether it was meant in µm, else nothing */
+/** And below this one in m. */
+const LONGEST_M = 1e-4;
+
+/** @param {number | null} nm @returns {string} the question whether it was meant in µm or m, else nothing */
 export function inMicrometers(nm) {
   return nm !== null && nm > 0 && nm < SHORTEST_NM
-    ? `in nm: did you mean ${plain(1000 * nm, 10)}?`
+    ? `in nm: did you mean ${plain((nm < LONGEST_M ? 1e9 : 1e3) * nm, 10)}?`
     : "";
 }
