@@ -111,6 +111,7 @@ def curves(
     refraction: bool = False,
     ellipsometry: bool = False,
     band: bool = False,
+    polarized: bool = False,
     coated: Coated | None = None,
     convention: Convention = CORE,
 ) -> Curves:
@@ -131,6 +132,8 @@ def curves(
     band
         Whether to add the least and the largest R of `exact` over the range of n that the source of
         a preset gives.
+    polarized
+        Whether to add Rs and Rp of other models than `exact` that tell them apart.
     coated
         The boundary with layers on it, which `exact` alone knows.
     convention
@@ -161,6 +164,9 @@ def curves(
             values = np.atleast_2d(model.evaluate(interface, incidence, arguments))
             names = COLORS if len(values) > 1 else ("R",)
             quantities = list(zip(names, map(np.ascontiguousarray, values), strict=True))
+            if polarized and model.polarized is not None:
+                both = model.evaluate_polarized(interface, incidence, arguments)
+                quantities += zip(("Rs", "Rp"), map(np.ascontiguousarray, both), strict=True)
         found += [
             Curve(
                 model=model.id,

@@ -28,6 +28,11 @@ class CurvesQuery(ModelsQuery, TableQuery, SamplesQuery, ConventionQuery, Layers
         "has fallen to 1/e, and field_penetration_depth_wavelengths, the field's, twice as deep.",
     )
     ellipsometry: bool = Field(False, description="Add psi_deg and delta_deg of `exact`.")
+    polarized: bool = Field(
+        False,
+        description="Add Rs and Rp of every other model that tells them apart: the exact forms and "
+        "pharr_humphreys.",
+    )
     band: bool = Field(
         False,
         description="Add R_minimum and R_maximum of `exact` over the range of n that the source of a "
@@ -57,6 +62,7 @@ def router(registry: Registry) -> APIRouter:
             refraction=query.refraction,
             ellipsometry=query.ellipsometry,
             band=query.band,
+            polarized=query.polarized,
             coated=query.coated(),
             convention=query.signs(),
         )

@@ -1,6 +1,6 @@
 """Rows answered by groups, each by one call of a model."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import repeat
 from typing import TypeVar
@@ -36,8 +36,11 @@ def evaluate(rows: Rows, registry: Registry) -> Outcome:
     task = _Task(resolved(rows), registry)
     for model, which in task.by_name("model", "exact", registry):
         for quantity, asked in task.by_name("quantity", "R", _QUANTITIES, which):
-            if model.id != "exact" and quantity != "R":
-                message = f"{model.id} has R alone; the other quantities are those of exact"
+            own = ("R", "Rs", "Rp") if model.polarized else ("R",)
+            if model.id != "exact" and quantity not in own:
+                message = (
+                    f"{model.id} has {_listed(own)} alone; the other quantities are those of exact"
+                )
                 task.refuse(asked, "quantity", repeat(quantity), message)
             else:
                 task.answer(model, quantity, asked)
@@ -166,7 +169,12 @@ class _Task:
             values = QUANTITIES[quantity](interface, incidence)
         else:
             own = {name.partition(".")[2]: _one_if_equal(self._at(name, which)) for name in given}
-            values = model(interface, incidence, **own)
+            arguments = model.arguments(interface, **own)
+            if quantity == "R":
+                values = model.evaluate(interface, incidence, arguments)
+            else:
+                Rs, Rp = model.evaluate_polarized(interface, incidence, arguments)
+                values = Rs if quantity == "Rs" else Rp
         self.outcome.values[which] = values
 
     def _at(self, name: str, which: Index) -> Array:
@@ -206,6 +214,12 @@ class _Task:
         values = self._at(name, which)
         left_out = np.isnan(values)
         return _one_if_equal(np.where(left_out, default, values) if left_out.any() else values)
+
+
+def _listed(names: Sequence[str]) -> str:
+    """Names as one says them."""
+    *most, last = names
+    return f"{', '.join(most)} and {last}" if most else last
 
 
 def _one_if_equal(values: Array) -> Array | float:

@@ -101,6 +101,8 @@ class Model:
     function: Callable[..., Array]
     """`function(interface, incidence, **parameters) -> R`, broadcasting its arguments; NaN where
     the formula is undefined."""
+    polarized: Callable[..., tuple[Array, Array]] | None = None
+    """The same arguments to (Rs, Rp), whose mean R is; None of what knows no polarization."""
     applies_to: tuple[Kind, ...] = ("dielectric", "conductor")
     """Kinds of interface the formula was made for, both unless given."""
     parameters: tuple[Parameter, ...] = ()
@@ -210,6 +212,23 @@ class Model:
             (values,) = in_blocks(self._values, interface, incidence, arguments)
         shape = broadcast(interface, incidence, values)
         return values if values.shape == shape else np.broadcast_to(values, shape)
+
+    def evaluate_polarized(
+        self, interface: Interface, incidence: Incidence, arguments: Mapping[str, Array]
+    ) -> tuple[Array, Array]:
+        """Evaluate Rs and Rp, as `evaluate` does R.
+
+        Raises
+        ------
+        NotAllowed
+            If the model knows no polarization.
+        """
+        if self.polarized is None:
+            raise NotAllowed("models", self.id, "models that tell s and p apart")
+        with np.errstate(invalid="ignore", divide="ignore"):
+            Rs, Rp = in_blocks(self.polarized, interface, incidence, arguments)
+        shape = broadcast(interface, incidence, Rs, Rp)
+        return np.broadcast_to(Rs, shape), np.broadcast_to(Rp, shape)
 
     def _values(self, *where: Any, **arguments: Array) -> tuple[Array]:
         return (self.function(*where, **arguments),)

@@ -6,7 +6,8 @@ roots and the like, its syntax tree is all that another language needs. What is 
 - `incidence.cos` is the argument mu, `incidence.sin` its square root, `interface.eta` an argument eta;
 - `np.where(c, a, b)` is a choice, `x**2` a product, `np.asarray(x)` and `float(x)` nothing but x;
 - `F82(interface)` is an argument F82, as it takes an evaluation of its own;
-- another function of ours that is called comes along, or is put in place if it is one expression;
+- another function of ours that is called comes along, or is put in place if it is one expression or
+  returns several values;
 - constants of the module become constants of the function, `with np.errstate` is passed over.
 
 Anything else is refused, by a message that says what.
@@ -18,6 +19,7 @@ import ast
 import inspect
 import io
 import math
+import re
 import textwrap
 import tokenize
 from collections.abc import Callable, Iterator, Mapping
@@ -110,12 +112,39 @@ def square() -> Formula:
     return Formula("sqr", ("x",), {}, (), product, (), ())
 
 
+_OF_SEVERAL = re.compile(r"^( +)(\w+(?:, \w+)+) = (\w+)\(interface, incidence\)$", re.MULTILINE)
+
+
+def _spliced(source: str, function: Callable[..., Any]) -> str:
+    """Put the lines of a function of ours that returns several values in place of its call.
+
+    What they are assigned to is what they are called there, or stands for what is returned.
+    """
+
+    def lines(found: re.Match[str]) -> str:
+        indent, targets, name = found.groups()
+        called = getattr(function, "__globals__", {}).get(name)
+        if not inspect.isfunction(called):
+            return found[0]
+        text = textwrap.dedent(inspect.getsource(called))
+        (definition,) = ast.parse(text).body
+        match definition:
+            case ast.FunctionDef(body=[ast.Expr() as words, *_, ast.Return(ast.Tuple()) as last]):
+                inner = text.splitlines()[words.end_lineno or 0 : last.lineno - 1]
+                returned = ", ".join(map(ast.unparse, last.value.elts))  # type: ignore[union-attr]
+                dedented = textwrap.dedent("\n".join(inner)).splitlines()
+                return "\n".join(indent + x for x in [*dedented, f"{targets} = {returned}"])
+        return found[0]
+
+    return _OF_SEVERAL.sub(lines, source)
+
+
 class _Reader(ast.NodeTransformer):
     """Turns the expressions of one function into those of a `Formula`, noting what they need."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
         try:
-            source = textwrap.dedent(inspect.getsource(function))
+            source = _spliced(textwrap.dedent(inspect.getsource(function)), function)
             (definition,) = ast.parse(source).body
         except (OSError, TypeError, SyntaxError):
             raise Untranslatable("its source cannot be read") from None

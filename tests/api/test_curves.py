@@ -351,3 +351,14 @@ def test_a_range_of_indices_is_a_band(ask: Ask) -> None:
     assert np.all(low <= np.minimum(*ends) + 1e-15)
     error = error_of(ask("/curves", n_t=1.5, band="true"))
     assert error["parameter"] == "band"
+
+
+def test_forms_tell_s_and_p_apart_where_asked(ask: Ask) -> None:
+    query = {"models": "exact,cos_form,schlick", "samples": 19, "polarized": "true"}
+    told = json_of(ask("/curves", **query))
+    values = {(c["model"], c["quantity"]): np.array(c["values"]) for c in told["curves"]}
+    of_form = [quantity for model, quantity in values if model == "cos_form"]
+    assert of_form == ["R", "Rs", "Rp"]
+    assert [quantity for model, quantity in values if model == "schlick"] == ["R"]
+    for name in ("Rs", "Rp"):
+        np.testing.assert_allclose(values["cos_form", name], values["exact", name], atol=1e-13)

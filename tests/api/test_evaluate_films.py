@@ -90,3 +90,11 @@ def test_every_quantity_has_its_answer_with_layers(post: Post) -> None:
     found = results(post(asked))
     depths = {name for name in QUANTITIES if "penetration" in name}
     assert {n for n, v in zip(QUANTITIES, found, strict=True) if v is None} == depths
+
+
+def test_rs_and_rp_of_the_conductor_form_of_air(post: Post) -> None:
+    item = {"n_t": 0.27, "k_t": 2.9, "theta_i_deg": 60, "model": "pharr_humphreys"}
+    R, Rs, Rp, T = results(post([item | {"quantity": name} for name in ("R", "Rs", "Rp", "T")]))
+    assert pytest.approx(0.5 * (Rs + Rp), rel=1e-14) == R
+    assert Rs > Rp
+    assert "has R, Rs and Rp alone" in T["errors"][0]["message"]

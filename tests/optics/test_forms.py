@@ -132,3 +132,33 @@ def test_every_form_named_in_the_four_sources_is_registered() -> None:
         "wloka_gc deon_gc deon_pq shirley_ab complex_form"
     )
     assert set(default_registry()) >= set(named.split())
+
+
+POLARIZED = [model for model in FORMS if model.polarized is not None]
+
+
+def test_every_exact_form_tells_s_and_p_apart() -> None:
+    assert [model.id for model in POLARIZED] == [model.id for model in FORMS]
+    others = {model.id for model in default_registry().values() if model.polarized} - {
+        model.id for model in [EXACT, *FORMS]
+    }
+    assert others == {"pharr_humphreys"}
+
+
+@pytest.mark.parametrize("model", [EXACT, *POLARIZED], ids=identify)
+def test_rs_and_rp_are_those_of_fresnel(model: Model) -> None:
+    """At well conditioned rays, against the quotients in complex arithmetic written out here."""
+    kind = "dielectric" if "conductor" not in model.applies_to else "conductor"
+    interface, incidence = rays(kind)
+    N, s = (interface.n_t + 1j * interface.k_t) / interface.n_i, incidence.sin
+    q = np.sqrt(N**2 - s**2)
+    Rs = np.abs((incidence.cos - q) / (incidence.cos + q)) ** 2
+    Rp = np.abs((N**2 * incidence.cos - q) / (N**2 * incidence.cos + q)) ** 2
+    arguments = model.arguments(interface)
+    ours = model.evaluate_polarized(interface, incidence, arguments)
+    fine = is_well_conditioned(kind) & np.isfinite(ours[0])
+    assert fine.sum() > 1000
+    for value, expected_ in zip(ours, (Rs, Rp), strict=True):
+        np.testing.assert_allclose(value[fine], expected_[fine], rtol=1e-9, atol=1e-12)
+    R = model.evaluate(interface, incidence, arguments)
+    np.testing.assert_allclose(0.5 * (ours[0] + ours[1])[fine], R[fine], rtol=1e-13)

@@ -5,8 +5,8 @@ import numpy as np
 from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
-def deon_pq(interface: Interface, incidence: Incidence) -> Array:
-    """R from p and q, real and imaginary part of the second medium's normal wave number."""
+def deon_pq_polarized(interface: Interface, incidence: Incidence) -> tuple[Array, Array]:
+    """Rs and Rp from p and q."""
     n_i, n, k = interface.n_i, interface.n_t, interface.k_t
     t0 = n**2 - k**2 - (n_i * incidence.sin) ** 2
     root = np.sqrt(t0**2 + 4.0 * n**2 * k**2)
@@ -16,7 +16,13 @@ def deon_pq(interface: Interface, incidence: Incidence) -> Array:
     cosine, sin_tan = n_i * incidence.cos, n_i * incidence.sin**2 / incidence.cos
     rho_perpendicular = ((cosine - p) ** 2 + q2) / ((cosine + p) ** 2 + q2)
     rho_parallel = rho_perpendicular * ((p - sin_tan) ** 2 + q2) / ((p + sin_tan) ** 2 + q2)
-    return np.asarray(0.5 * (rho_perpendicular + rho_parallel))
+    return rho_perpendicular, rho_parallel
+
+
+def deon_pq(interface: Interface, incidence: Incidence) -> Array:
+    """R from p and q, real and imaginary part of the second medium's normal wave number."""
+    Rs, Rp = deon_pq_polarized(interface, incidence)
+    return np.asarray(0.5 * (Rs + Rp))
 
 
 MODEL = Model(
@@ -32,5 +38,6 @@ MODEL = Model(
     "and it loses digits as eta approaches 1.",
     cost=Cost(add=13, mul=15, div=3, sqrt=2),
     function=deon_pq,
+    polarized=deon_pq_polarized,
     rounding=(1e-14, 1e-9),
 )

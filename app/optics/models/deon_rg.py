@@ -12,13 +12,23 @@ from app.optics.edge_tint import (
     relative_interface,
 )
 from app.optics.models import Array, Cost, Incidence, Interface, Model
-from app.optics.models.exact import exact_real
+from app.optics.models.exact import exact_polarized, exact_real
 from app.optics.specular import own_F0
 
 
 def deon_rg(interface: Interface, incidence: Incidence, r: Array, G: Array) -> Array:  # noqa: ARG001
     """Exact R of the index that r and G stand for."""
     return reflectance(relative_interface(*deon_index(r, G)), incidence)
+
+
+def deon_rg_polarized(
+    interface: Interface,  # noqa: ARG001
+    incidence: Incidence,
+    r: Array,
+    G: Array,
+) -> tuple[Array, Array]:
+    """Rs and Rp of that index."""
+    return exact_polarized(relative_interface(*deon_index(r, G)), incidence)
 
 
 def deon_rg_real(mu: Array, r: Array, G: Array) -> Array:
@@ -50,6 +60,7 @@ MODEL = Model(
     "that reflectance, G = 1 the one with n_t < n_i.",
     cost=Cost(add=22, mul=30, div=6, sqrt=4, trig=2),
     function=deon_rg,
+    polarized=deon_rg_polarized,
     snippet=deon_rg_real,
     rounding=(1e-14, 1e-14),
     parameters=(REFLECTANCE, TINT_ANGLE),

@@ -2,13 +2,19 @@
 
 import numpy as np
 
-from app.optics.amplitudes import reflectance
+from app.optics.amplitudes import power, reflectance
 from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
 def exact(interface: Interface, incidence: Incidence) -> Array:
     """Reflectance of unpolarized light, exact and free of cancellation."""
     return reflectance(interface, incidence)
+
+
+def exact_polarized(interface: Interface, incidence: Incidence) -> tuple[Array, Array]:
+    """Rs and Rp, exact and free of cancellation."""
+    energy = power(interface, incidence)
+    return energy.Rs, energy.Rp
 
 
 def exact_real(mu: Array, eta: Array, kappa: Array) -> Array:
@@ -46,6 +52,7 @@ MODEL = Model(
     validity="Every interface and angle; the reference that all models are measured against.",
     cost=Cost(add=15, mul=23, div=4, sqrt=2),
     function=exact,
+    polarized=exact_polarized,
     snippet=exact_real,
     rounding=(1e-14, 1e-14),
 )

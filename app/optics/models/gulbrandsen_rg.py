@@ -12,13 +12,23 @@ from app.optics.edge_tint import (
     relative_interface,
 )
 from app.optics.models import Array, Cost, Incidence, Interface, Model
-from app.optics.models.exact import exact_real
+from app.optics.models.exact import exact_polarized, exact_real
 from app.optics.specular import own_F0
 
 
 def gulbrandsen_rg(interface: Interface, incidence: Incidence, r: Array, g: Array) -> Array:  # noqa: ARG001
     """Exact R of the index that r and g stand for."""
     return reflectance(relative_interface(*gulbrandsen_index(r, g)), incidence)
+
+
+def gulbrandsen_rg_polarized(
+    interface: Interface,  # noqa: ARG001
+    incidence: Incidence,
+    r: Array,
+    g: Array,
+) -> tuple[Array, Array]:
+    """Rs and Rp of that index."""
+    return exact_polarized(relative_interface(*gulbrandsen_index(r, g)), incidence)
 
 
 def gulbrandsen_rg_real(mu: Array, r: Array, g: Array) -> Array:
@@ -56,6 +66,7 @@ MODEL = Model(
     "1. Below, the g worked out exceeds 1 and cannot be given, but its curve is still exact.",
     cost=Cost(add=23, mul=29, div=7, sqrt=4),
     function=gulbrandsen_rg,
+    polarized=gulbrandsen_rg_polarized,
     snippet=gulbrandsen_rg_real,
     rounding=(1e-14, 1e-14),
     parameters=(REFLECTANCE, EDGE_TINT),

@@ -5,8 +5,8 @@ import numpy as np
 from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
-def lagarde_conductor(interface: Interface, incidence: Incidence) -> Array:
-    """R from eta, kappa and cos(theta_i) with a^2 + b^2 and a of the a, b form alone."""
+def lagarde_conductor_polarized(interface: Interface, incidence: Incidence) -> tuple[Array, Array]:
+    """Rs and Rp from eta, kappa and cos(theta_i)."""
     eta2, kappa2 = interface.eta**2, interface.kappa**2
     mu2 = incidence.cos**2
     sin2 = 1.0 - mu2
@@ -18,7 +18,13 @@ def lagarde_conductor(interface: Interface, incidence: Incidence) -> Array:
     Rs = (t1 - two_a_mu) / (t1 + two_a_mu)
     t3, t4 = mu2 * a2_plus_b2 + sin2 * sin2, two_a_mu * sin2
     Rp = Rs * (t3 - t4) / (t3 + t4)
-    return np.asarray(0.5 * (Rp + Rs))
+    return Rs, Rp
+
+
+def lagarde_conductor(interface: Interface, incidence: Incidence) -> Array:
+    """R from eta, kappa and cos(theta_i) with a^2 + b^2 and a of the a, b form alone."""
+    Rs, Rp = lagarde_conductor_polarized(interface, incidence)
+    return np.asarray(0.5 * (Rs + Rp))
 
 
 MODEL = Model(
@@ -33,5 +39,6 @@ MODEL = Model(
     "without absorption, and is 0/0 for eta = 1 at 90 degrees.",
     cost=Cost(add=11, mul=14, div=2, sqrt=2),
     function=lagarde_conductor,
+    polarized=lagarde_conductor_polarized,
     rounding=(1e-14, 0.001),
 )

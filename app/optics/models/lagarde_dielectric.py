@@ -5,13 +5,19 @@ import numpy as np
 from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
-def lagarde_dielectric(interface: Interface, incidence: Incidence) -> Array:
-    """R from eta and cos(theta_i) by way of cos(theta_t), as the shader computes it."""
+def lagarde_dielectric_polarized(interface: Interface, incidence: Incidence) -> tuple[Array, Array]:
+    """Rs and Rp from eta and cos(theta_i) by way of cos(theta_t)."""
     eta, mu = interface.eta, incidence.cos
     cos_t = np.sqrt(1.0 - (1.0 - mu * mu) / (eta * eta))
     r_s = (mu - eta * cos_t) / (mu + eta * cos_t)
     r_p = (cos_t - eta * mu) / (cos_t + eta * mu)
-    return np.asarray(0.5 * (r_s * r_s + r_p * r_p))
+    return r_s * r_s, r_p * r_p
+
+
+def lagarde_dielectric(interface: Interface, incidence: Incidence) -> Array:
+    """R from eta and cos(theta_i) by way of cos(theta_t), as the shader computes it."""
+    Rs, Rp = lagarde_dielectric_polarized(interface, incidence)
+    return np.asarray(0.5 * (Rs + Rp))
 
 
 MODEL = Model(
@@ -26,5 +32,6 @@ MODEL = Model(
     "eta approaches 1, and is 0/0 for eta = 1 at 90 degrees.",
     cost=Cost(add=7, mul=7, div=3, sqrt=1),
     function=lagarde_dielectric,
+    polarized=lagarde_dielectric_polarized,
     rounding=(1e-14, 1e-9),
 )

@@ -5,14 +5,25 @@ import numpy as np
 from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
-def lagarde_gc(interface: Interface, incidence: Incidence) -> Array:
-    """R from eta and c = cos(theta_i) by g^2 = eta^2 + c^2 - 1; 1 where g is imaginary."""
+def lagarde_gc_factors(interface: Interface, incidence: Incidence) -> tuple[Array, Array, Array]:
+    """g^2 = eta^2 + c^2 - 1 with c = cos(theta_i), and, where it is not negative, Rs and Rp/Rs."""
     eta, c = interface.eta, incidence.cos
     radicand = eta * eta + c * c - 1.0
     g = np.sqrt(np.maximum(radicand, 0.0))
     ratio = ((g + c) * c - 1.0) / ((g - c) * c + 1.0)
-    R = 0.5 * ((g - c) / (g + c)) ** 2 * (1.0 + ratio * ratio)
-    return np.where(radicand < 0.0, 1.0, R)
+    return radicand, ((g - c) / (g + c)) ** 2, ratio * ratio
+
+
+def lagarde_gc(interface: Interface, incidence: Incidence) -> Array:
+    """R as one product; 1 where g is imaginary."""
+    radicand, first, second = lagarde_gc_factors(interface, incidence)
+    return np.where(radicand < 0.0, 1.0, 0.5 * first * (1.0 + second))
+
+
+def lagarde_gc_polarized(interface: Interface, incidence: Incidence) -> tuple[Array, Array]:
+    """Rs and Rp, 1 where g is imaginary."""
+    radicand, first, second = lagarde_gc_factors(interface, incidence)
+    return np.where(radicand < 0.0, 1.0, first), np.where(radicand < 0.0, 1.0, first * second)
 
 
 MODEL = Model(
@@ -27,5 +38,6 @@ MODEL = Model(
     "approaches 1, and is 0/0 for eta = 1 at 90 degrees.",
     cost=Cost(add=8, mul=8, div=2, sqrt=1),
     function=lagarde_gc,
+    polarized=lagarde_gc_polarized,
     rounding=(1e-14, 1e-9),
 )

@@ -5,12 +5,18 @@ import numpy as np
 from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
 
 
-def pharr_humphreys(interface: Interface, incidence: Incidence) -> Array:
-    """Half the sum of Rs and Rp for a wave that runs straight down into the metal."""
+def pharr_humphreys_polarized(interface: Interface, incidence: Incidence) -> tuple[Array, Array]:
+    """Rs and Rp for a wave that runs straight down into the metal."""
     mu, eta = incidence.cos, interface.eta
     t, twice, mu2 = eta * eta + interface.kappa**2, 2.0 * eta * mu, mu * mu
     Rs = (t - twice + mu2) / (t + twice + mu2)
     Rp = (t * mu2 - twice + 1.0) / (t * mu2 + twice + 1.0)
+    return Rs, Rp
+
+
+def pharr_humphreys(interface: Interface, incidence: Incidence) -> Array:
+    """Half the sum of Rs and Rp for a wave that runs straight down into the metal."""
+    Rs, Rp = pharr_humphreys_polarized(interface, incidence)
     return np.asarray(0.5 * (Rs + Rp))
 
 
@@ -27,6 +33,7 @@ MODEL = Model(
     "law. Poor at k_t = 0; never meant for dielectrics.",
     cost=Cost(add=7, mul=4, div=2),
     function=pharr_humphreys,
+    polarized=pharr_humphreys_polarized,
     measured=(
         Measured(1, 0.27, 2.9, max_abs=0.0043, at_deg=69.0, rms=0.00264),
         Measured(1, 2.9, 3, max_abs=0.00514, at_deg=82.8, rms=0.00294),

@@ -5,8 +5,8 @@ import numpy as np
 from app.optics.models import Array, Cost, Incidence, Interface, Model
 
 
-def shirley_ab(interface: Interface, incidence: Incidence) -> Array:
-    """R from a^2 and b^2, the squares of real and imaginary part of q, relative to n_i."""
+def shirley_ab_polarized(interface: Interface, incidence: Incidence) -> tuple[Array, Array]:
+    """Rs and Rp from a and b."""
     n_i, n, k = interface.n_i, interface.n_t, interface.k_t
     cosine = incidence.cos
     sin2 = incidence.sin**2
@@ -19,6 +19,12 @@ def shirley_ab(interface: Interface, incidence: Incidence) -> Array:
     Rp = (
         Rs * (a2 + b2 - 2.0 * a * sin_tan + sin_tan**2) / (a2 + b2 + 2.0 * a * sin_tan + sin_tan**2)
     )
+    return Rs, Rp
+
+
+def shirley_ab(interface: Interface, incidence: Incidence) -> Array:
+    """R from a^2 and b^2, the squares of real and imaginary part of q, relative to n_i."""
+    Rs, Rp = shirley_ab_polarized(interface, incidence)
     return np.asarray(0.5 * (Rs + Rp))
 
 
@@ -36,5 +42,6 @@ MODEL = Model(
     "and it loses digits where R is small.",
     cost=Cost(add=15, mul=19, div=5, sqrt=2),
     function=shirley_ab,
+    polarized=shirley_ab_polarized,
     rounding=(1e-14, 0.001),
 )
