@@ -12,6 +12,9 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, expect
 
+from app.optics.incidence import Incidence
+from app.optics.interface import Interface
+from app.optics.models.exact import exact
 from tests.browser.conftest import ROOT, wait_until_healthy
 
 KEPT_SECONDS = 60.0
@@ -71,10 +74,14 @@ def test_what_was_seen_is_shown_without_the_server_and_said_to_be_kept(
         number = page.locator('.number[aria-label^="R:"]')
         expect(number).to_have_attribute("aria-label", shown or "")
 
-        box = page.locator("#n_t-box")  # never computed: nothing is made up
+        box = page.locator("#n_t-box")  # never computed by the server
         box.fill("1.9")
         box.press("Enter")
-        expect(page.locator('[data-notice="server"]')).to_contain_text("does not answer")
+        notice = page.locator('[data-notice="server"]')
+        expect(notice).to_contain_text("does not answer")
+        expect(notice).to_contain_text("worked out here")
+        R = exact(Interface(n_t=1.9), Incidence.from_degrees(64.0))
+        expect(number).to_have_attribute("aria-label", re.compile(rf"R: {float(R):.6g}"))
         page.get_by_role("link", name="Theory").click()  # every view's files are here
         expect(page.locator(".view-theory")).to_be_visible(timeout=15_000)
     finally:
