@@ -31,3 +31,18 @@ test("views borrow nothing from one another: what several need has a room of its
   });
   assert.deepEqual(borrowed, []);
 });
+
+test("nobody writes a formula of R here: formulas come from the server, as kernels.js", () => {
+  const formula =
+    /1 - (mu|F0|cos)|F0 [+*]|\*\* ?5\b|\b(eta|kappa) [*+-] |[*+-] (eta|kappa)\b|n_t [*+-] n_i/;
+  const told = readdirSync(JS, { recursive: true })
+    .filter((name) => name.endsWith(".js"))
+    .filter((name) => {
+      const source = readFileSync(new URL(name, JS), "utf8");
+      // The code of a trap and what comments say are words.
+      const code = source.replace(/\/\*[\s\S]*?\*\/|\/\/.*|"(?:[^"\\\n]|\\.)*"/g, "");
+      return formula.test(code);
+    });
+  assert.deepEqual(told, []);
+  assert.match("const R = F0 + (1 - F0) * (1 - mu) ** 5", formula);
+});
