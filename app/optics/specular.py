@@ -39,7 +39,7 @@ def F82(interface: Interface) -> Array:
 def tint_at_82(F0: Number, F82: Number) -> Array:
     """Tint of the F82-tint model, F82 / S(1/7), S(mu) = F0 + (1 - F0)(1 - mu)^5.
 
-    It is above 1 for most dielectrics.
+    It is above 1 beyond the critical angle and for some metals.
 
     References
     ----------

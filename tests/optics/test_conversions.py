@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
@@ -17,6 +18,7 @@ from app.optics.conversions import (
     know,
 )
 from app.optics.errors import NotAllowed, OutOfRange
+from app.optics.formulas.conversions import FORMULAS
 
 
 def all_of(known: Known, seen_from: float = 1.333) -> dict[str, Conversion]:
@@ -162,6 +164,16 @@ def test_what_holds_of_a_dielectric_alone_says_so() -> None:
     assert impossible == [True, True, False]
     for form, given_ in (("specular", {"specular": 0.5}), ("ior", {"n_t": 1.5})):
         assert all_of(know(form, **given_))["f82_tint"].status == "exact"  # type: ignore[arg-type]
+
+
+def test_which_dielectrics_have_a_tint_above_one() -> None:
+    def tint(n_t: float) -> float:
+        return number(all_of(know("ior", n_t=n_t))["f82_tint"], "tint")
+
+    assert max(map(tint, np.geomspace(1.001, 100.0, 200))) < 0.955  # from the thinner side none
+    assert min(map(tint, np.geomspace(0.1, 0.98, 20))) > 1.0  # 82 degrees is beyond critical
+    said = next(one.validity for one in FORMULAS if one.id == "conversion.f82_tint")
+    assert "no dielectric seen from the thinner side" in said
 
 
 def test_gulbrandsen_needs_an_index_of_modulus_one() -> None:

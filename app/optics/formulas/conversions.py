@@ -288,7 +288,8 @@ FORMULAS = (
         reference="P. Kutz, M. Hašan and D. Edmondson, Novel Aspects of the Adobe Standard Material "
         "(2021); OpenPBR Surface specification, metal",
         validity="Every interface. The tint is above 1 where R at 82 degrees exceeds Schlick's, as it "
-        "does for most dielectrics, and by up to 6 % for some metals; renderers that end at 1 cut it.",
+        "does beyond the critical angle, and by up to 6 % for some metals, but for no dielectric seen "
+        "from the thinner side; renderers that end at 1 cut it.",
         accuracy=(rounding(1e-14, "tint", "n from 0.05 to 10, k up to 10"),),
         at=Interface(1.0, 1.5, 3.0),
         takes=(K_T,),
