@@ -24,9 +24,19 @@ _REST_OF_FILMS = (
 )
 
 
-def convention_text(convention: Convention = CORE, *, layers: bool = False) -> str:
+_REST_OF_ABSORBING = (
+    "the incident medium is n_i + i k_i in exp(-i w t); R and T are parts of the power that the "
+    "incident wave would carry without the reflected one, and R + T + A is not 1, since the two "
+    "interfere"
+)
+
+
+def convention_text(
+    convention: Convention = CORE, *, layers: bool = False, k_i: float = 0.0
+) -> str:
     """The convention of an answer in words."""
-    return f"{convention.text}; {_REST_OF_FILMS if layers else _REST}"
+    rest = _REST_OF_ABSORBING if k_i > 0.0 else _REST_OF_FILMS if layers else _REST
+    return f"{convention.text}; {rest}"
 
 
 @answer
@@ -69,7 +79,11 @@ class Coated:
 
     @classmethod
     def of(
-        cls, interface: PresetInterface, layers: str | None, wavelength_nm: float | None
+        cls,
+        interface: PresetInterface,
+        layers: str | None,
+        wavelength_nm: float | None,
+        k_i: float = 0.0,
     ) -> Coated:
         """Put layers on a boundary.
 
@@ -96,7 +110,7 @@ class Coated:
             for film, index, _ in resolved
         ]
         n_i, n_t, k_t = (float(part) for part in interface.indices)
-        stack = Stack(n_i, made, n_t, k_t, wavelength_nm=at)
+        stack = Stack(n_i, made, n_t, k_t, wavelength_nm=at, k_i=k_i)
         return cls(interface, [LayerFacts.of(*each) for each in resolved], at, stack)
 
 

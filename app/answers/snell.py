@@ -81,8 +81,10 @@ class Ray:
 
 @answer
 class CoatedRay(Ray):
-    """One ray at a surface with layers on it; `interface` is that without them."""
+    """One ray at a surface with layers on it, or in a medium that absorbs; `interface` has neither."""
 
+    k_i: float
+    """Imaginary part of the incident medium's index."""
     wavelength_nm: float
     layers: list[LayerFacts]
     """From the incident side on."""
@@ -113,14 +115,16 @@ def ray(
     """
     if coated is None:
         return Ray(
-            **_of_any(interface, incidence, False, convention),
+            **_of_any(interface, incidence, convention_text(convention)),
             **_of_waves(amplitudes(interface, incidence), power(interface, incidence), convention),
         )
     found = response(coated.stack, incidence)
-    lost = found.absorption
+    lost, k_i = found.absorption, float(coated.stack.k_i)
+    told = convention_text(convention, layers=True, k_i=k_i)
     return CoatedRay(
-        **_of_any(interface, incidence, True, convention),
+        **_of_any(interface, incidence, told),
         **_of_waves(found.amplitudes, found.power, convention),
+        k_i=k_i,
         wavelength_nm=coated.wavelength_nm,
         layers=coated.layers,
         As=float(lost.As),
@@ -141,9 +145,7 @@ def _of_waves(ours: Amplitudes | None, energy: Power, convention: Convention) ->
     return told | {x: float(getattr(energy, x)) for x in ("Rs", "Rp", "R", "Ts", "Tp", "T")}
 
 
-def _of_any(
-    interface: Interface, incidence: Incidence, layers: bool, convention: Convention
-) -> dict[str, Any]:
+def _of_any(interface: Interface, incidence: Incidence, told: str) -> dict[str, Any]:
     """What layers do not change: the directions."""
     theta_t_deg = number_or_none(refraction_angle_deg(interface, incidence))
     refracted = None
@@ -152,7 +154,7 @@ def _of_any(
         refracted = [float(below.sin), -float(below.cos)]
     return {
         "interface": InterfaceFacts.of(interface),
-        "convention": convention_text(convention, layers=layers),
+        "convention": told,
         "theta_i_deg": float(incidence.theta_i_deg),
         "theta_t_deg": theta_t_deg,
         "total_internal_reflection": bool(is_totally_reflected(interface, incidence)),

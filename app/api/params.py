@@ -25,6 +25,7 @@ from app.optics.ellipsometry import Convention, Normal, TimeFactor
 from app.optics.errors import OpticsError
 from app.optics.incidence import Incidence
 from app.optics.parameters import (
+    K_I,
     K_T,
     N_I,
     N_T,
@@ -166,9 +167,10 @@ class LayersQuery(InterfaceQuery):
         OpticsError
             If they cannot be read, or are not known at the wavelength.
         """
-        if self.layers is None:
+        k_i: float = getattr(self, K_I.name, 0.0)
+        if self.layers is None and k_i == 0.0:
             return None
-        return Coated.of(self.interface(), self.layers, self.wavelength_nm)
+        return Coated.of(self.interface(), self.layers, self.wavelength_nm, k_i)
 
 
 def _with_plus(text: object) -> object:

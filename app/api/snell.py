@@ -5,13 +5,16 @@ from typing import Annotated
 from fastapi import APIRouter, Query
 
 from app.answers.snell import CoatedRay, Ray, ray
-from app.api.params import AngleQuery, ConventionQuery, LayersQuery
-from app.http.query import DigitsQuery
+from app.api.params import AngleQuery, ConventionQuery, LayersQuery, number
+from app.http.query import DigitsQuery, Number
 from app.http.route import QueryRoute
+from app.optics.parameters import K_I
 
 
 class SnellQuery(DigitsQuery, ConventionQuery, AngleQuery, LayersQuery):
     """One ray."""
+
+    k_i: Number = number(K_I)
 
 
 def router() -> APIRouter:

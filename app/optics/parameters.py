@@ -149,7 +149,8 @@ K_I = Parameter(
     0.0,
     100.0,
     "",
-    "Imaginary part of the incident medium's index.",
+    "Imaginary part of the incident medium's index. Where it is not 0, light may come along the normal "
+    "alone.",
 )
 LAYER_N = replace(N_T, name="n", symbol="n", description="Real part of a layer's index.")
 LAYER_K = replace(K_T, name="k", symbol="k", description="Imaginary part of a layer's index.")

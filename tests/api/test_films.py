@@ -11,6 +11,8 @@ from fastapi import FastAPI
 from app.answers.films import convention_text
 from app.answers.interface import CONVENTION
 from app.materials.films import read_layers
+from app.materials.own.token import OwnData, write
+from app.materials.schema import Points
 from tests.api.raw import send
 from tests.api.shape import Ask, error_of, json_of
 
@@ -196,3 +198,30 @@ def test_unpolarized_light_is_polarized_at_brewsters_angle(ask: Ask) -> None:
         assert message in error["message"]
     error = error_of(ask("/polarization", layers="1.5:1e6:incoherent"))
     assert "no amplitudes and no phases" in error["message"]
+
+
+def test_an_absorbing_incident_medium(ask: Ask) -> None:
+    query = {"n_i": 1.5, "k_i": 0.1, "n_t": 1.52, "layers": "1.38:100", "wavelength_nm": 550}
+    told = json_of(ask("/snell", **query))
+    assert round(told["R"], 8) == 0.00940097
+    assert round(told["T"], 8) == 0.99507503
+    assert "R + T + A is not 1" in told["convention"]
+    bare = json_of(ask("/snell", n_i=1.5, k_i=0.1, n_t=1.52))
+    assert bare["R"] == pytest.approx(
+        abs((1.52 - 1.5 - 0.1j) / (1.52 + 1.5 + 0.1j)) ** 2, rel=1e-12
+    )
+    assert (bare["layers"], bare["A"], bare["k_i"]) == ([], 0.0, 0.1)
+    error = error_of(ask("/snell", theta_i_deg=30, **query))
+    assert error["parameter"] == "theta_i_deg"
+    assert "the incident wave is not uniform along the surface" in error["message"]
+
+
+def test_an_own_material_can_be_a_layer(ask: Ask) -> None:
+    points = np.linspace(400.0, 700.0, 31)
+    wavy = 1.4 + 0.1 * np.sin(points / 50.0)
+    columns = Points(kind="points", wavelength_nm=tuple(points), values=tuple(wavy))
+    own = write(OwnData(name="wavy", relative_to=None, n=columns, k=None)).token
+    told = json_of(ask("/snell", layers=f"{own}:120", wavelength_nm=500, n_t=1.5))
+    assert told["layers"][0]["n"] == pytest.approx(1.4 + 0.1 * np.sin(10.0), abs=1e-4)
+    color = json_of(ask("/films/color", layers=f"{own}:120", thickness_nm="0,120", n_t=1.5))
+    assert color["media"]["layers"][0]["medium"] == own
