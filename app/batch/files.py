@@ -17,7 +17,7 @@ import pyarrow.parquet
 from app.batch.arrow import WrongColumn, rows_of
 from app.batch.csv_blocks import Block, CsvBlocks
 from app.batch.evaluation import evaluate
-from app.batch.meant_columns import meant, renamed
+from app.batch.meant_columns import READ_AS_WELL, meant, renamed
 from app.batch.rows import NAMES, Fault, number_columns
 from app.optics.numerics.significant import round_significant
 from app.optics.parameters import N_T, WAVELENGTH_NM
@@ -98,7 +98,12 @@ class RowsFile:
                 raise WrongColumn(name, "there already; it is what will be added")
         columns = meant(self.schema.names, self._known)
         self.assumed += tuple(one.said(name) for name, one in columns.items())
-        evaluated(pa.RecordBatch.from_pylist([], schema=self.schema), self._keep)
+        try:
+            evaluated(pa.RecordBatch.from_pylist([], schema=self.schema), self._keep)
+        except WrongColumn as error:
+            if error.column in self._known or error.column in columns:
+                raise
+            raise WrongColumn(error.column, f"{error.message}; {READ_AS_WELL}") from None
 
     def _type(self, name: str) -> pa.DataType:
         if name in meant([name], self._known):

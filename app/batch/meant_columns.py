@@ -30,6 +30,11 @@ class Meant(NamedTuple):
         )
 
 
+READ_AS_WELL = (
+    "in a file also n, k, and wavelengths or energies such as wavelength_um and energy_ev"
+)
+"""What is said beside the names of the columns that are known."""
+
 _INDICES = {"n": N_T.name, "k": K_T.name}
 
 

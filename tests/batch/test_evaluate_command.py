@@ -379,6 +379,16 @@ def test_a_preset_is_asked_at_energies(tmp_path: Path) -> None:
     assert value == pytest.approx([float(fresnel(1.0, known.n, known.k, 0.0).R)], rel=1e-9)
 
 
+def test_an_unknown_column_is_told_all_that_are_read(tmp_path: Path) -> None:
+    path = tmp_path / "rows.csv"
+    path.write_text("n,wavelength_um,foo\n1.5,0.55,1\n")
+    code, printed = run(path)
+    assert code == 2
+    assert "foo: unknown column" in printed
+    for name in ("n_t", "material", "layers", "in a file also", "wavelength_um", "energy_ev"):
+        assert name in printed
+
+
 def test_two_names_of_one_column_are_not_guessed_between(tmp_path: Path) -> None:
     path = tmp_path / "rows.csv"
     path.write_text("n_t,n\n1.5,1.6\n")
