@@ -9,6 +9,7 @@ import socket
 import time
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import suppress
 from http.client import HTTPException, HTTPMessage, HTTPResponse
 from pathlib import Path
 
@@ -52,7 +53,8 @@ class Client:
         try:
             self._socket.sendall(request.wire())
             if request.broken:  # whatever was announced, no more will come
-                self._socket.shutdown(socket.SHUT_WR)
+                with suppress(OSError):  # it has hung up already
+                    self._socket.shutdown(socket.SHUT_WR)
             answer = HTTPResponse(self._socket, method=request.method.decode())
             answer.begin()
             body = answer.read()

@@ -24,7 +24,7 @@ import time
 from collections import Counter
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import ExitStack, suppress
+from contextlib import ExitStack, closing, suppress
 from dataclasses import dataclass, field
 from http.client import HTTPConnection, HTTPException
 from multiprocessing.connection import Connection
@@ -146,6 +146,66 @@ def answers_that_nobody_reads(stage: Stage) -> str:
         return stage.ask(LARGE.format(50, random.randint(10, 10**6)))  # noqa: S311
 
 
+def posted(stage: Stage, body: bytes, kind: str = "application/json") -> str:
+    """Status of a call of `/evaluate` whose answer is read."""
+    try:
+        with closing(stage.served.connect()) as connection:
+            connection.request("POST", f"{API}/evaluate", body, {"Content-Type": kind})
+            answer = connection.getresponse()
+            while answer.read(1_000_000):
+                pass
+            return str(answer.status)
+    except (OSError, HTTPException) as error:
+        return type(error).__name__
+
+
+def half_a_million_wrong_items(stage: Stage) -> str:
+    """Four megabytes of items that are no items."""
+    return posted(stage, b'{"items":[' + b",".join([b'{"a":1}'] * 500_000) + b"]}")
+
+
+def a_body_of_nothing_but_separators(stage: Stage) -> str:
+    """Two bodies of millions of items at a time."""
+    body = b'{"items":[' + b",".join([b"1"] * 15_000_000) + b"]}"
+    with ThreadPoolExecutor(2) as clients:
+        statuses = Counter(clients.map(lambda _: posted(stage, body), range(2)))
+    return ", ".join(f"{count} x {status}" for status, count in sorted(statuses.items()))
+
+
+def batches_that_nobody_reads(stage: Stage) -> str:
+    """Clients that have a million values computed, read nothing and hang up."""
+    body = b'{"items":[{"theta_i_deg":[' + b",".join([b"45.5"] * 1_000_000) + b"]}]}"
+    head = f"POST {API}/evaluate HTTP/1.1\r\nHost: x\r\nContent-Length: {len(body)}\r\n\r\n"
+    with ExitStack() as held:
+        for _ in range(4):
+            reader = held.enter_context(socket.create_connection(stage.served.address, 60.0))
+            with suppress(OSError):
+                reader.sendall(head.encode() + body)
+        return posted(stage, b'{"items":[{"n_t":1.5}]}')
+
+
+def maps_that_nobody_waits_for(stage: Stage) -> str:
+    """Clients that hang up before their maps are computed, and one that waits."""
+    with ExitStack() as held:
+        for number in range(20):
+            gone = held.enter_context(socket.create_connection(stage.served.address, 10.0))
+            target = LARGE.format(200, random.randint(10, 10**6) + number)  # noqa: S311
+            gone.sendall(f"GET {target} HTTP/1.1\r\nHost: x\r\n\r\n".encode())
+    return posted(stage, b'{"items":[{"n_t":1.5}]}')
+
+
+def offers_of_another_protocol(stage: Stage) -> str:
+    """A call as Java's client sends it."""
+    body = b'{"items":[{"n_t":1.5}]}'
+    head = (
+        f"POST {API}/evaluate HTTP/1.1\r\nHost: x\r\nConnection: Upgrade, HTTP2-Settings\r\n"
+        f"Upgrade: h2c\r\nHTTP2-Settings: AAEAAEAA\r\nContent-Length: {len(body)}\r\n\r\n"
+    )
+    with socket.create_connection(stage.served.address, 60.0) as connection:
+        connection.sendall(head.encode() + body)
+        return connection.recv(12)[-3:].decode()
+
+
 FAULTS: list[Callable[[Stage], str]] = [
     pictures_at_once,
     a_browser_that_hangs,
@@ -154,6 +214,11 @@ FAULTS: list[Callable[[Stage], str]] = [
     what_is_no_http,
     idle_connections,
     answers_that_nobody_reads,
+    half_a_million_wrong_items,
+    a_body_of_nothing_but_separators,
+    batches_that_nobody_reads,
+    maps_that_nobody_waits_for,
+    offers_of_another_protocol,
 ]
 
 

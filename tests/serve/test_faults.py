@@ -10,7 +10,7 @@ import sys
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import closing
+from contextlib import closing, suppress
 from http.client import HTTPConnection, HTTPException
 from pathlib import Path
 from uuid import uuid4
@@ -29,7 +29,8 @@ from tests.serve.command import (
     serving,
     wait_for,
 )
-from tests.serve.test_stop import SLOW, folders_in_memory
+from tests.serve.nginx import find_nginx, in_front_of
+from tests.serve.test_stop import SLOW, folders_in_memory, in_flight
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="/proc says which processes run")
 
@@ -247,3 +248,26 @@ def test_workers_are_replaced_one_by_one_on_sighup(tmp_path: Path) -> None:
             )
 
         wait_for(all_are_new)
+
+
+def test_a_proxy_that_is_killed_costs_what_went_through_it(tmp_path: Path) -> None:
+    """What it asked for and nobody waits for any more leaves the queue; one that is started answers."""
+    nginx = find_nginx(tmp_path)
+    first, second = tmp_path / "first", tmp_path / "second"
+    first.mkdir()
+    second.mkdir()
+    with serving(tmp_path, FRESNEL_THREADS="1") as served, ThreadPoolExecutor(8) as clients:
+        address = [f"127.0.0.1:{served.port}"]
+        with in_front_of(nginx, first, address) as front:
+            asked = [clients.submit(front.ask, SLOW.format(400 + i)) for i in range(8)]
+            wait_for(lambda: in_flight(served) > 4)
+            for pid in [front.process.pid, *children(front.process.pid)]:
+                with suppress(ProcessLookupError):
+                    os.kill(pid, signal.SIGKILL)
+            lost = [one for one in asked if isinstance(one.exception(), OSError | HTTPException)]
+            assert {one.result().status for one in asked if one not in lost} <= {200}
+        assert len(lost) > 2
+        wait_for(lambda: in_flight(served) == 1, 10.0)
+        assert evaluated(served) == 200
+        with in_front_of(nginx, second, address) as front:
+            assert front.ask(SLOW.format(20)).status == 200

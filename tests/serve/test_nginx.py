@@ -193,7 +193,11 @@ def is_problem(answer: Answer, status: int) -> None:
     assert (answer.headers["Retry-After"] is not None) == (status in (502, 503, 504))
     problem = Problem.model_validate_json(answer.body, strict=True, extra="forbid")
     assert (problem.status, problem.errors) == (status, [])
-    titles = {413: "Content Too Large", 414: "URI Too Long"}  # older Pythons have older names
+    titles = {
+        413: "Content Too Large",
+        414: "URI Too Long",
+        416: "Range Not Satisfiable",
+    }  # older Pythons have older names
     assert problem.title == titles.get(status, HTTPStatus(status).phrase)
     assert problem.detail
 
@@ -211,6 +215,9 @@ def test_every_refusal_of_nginx_is_a_problem(alone: Served, status: int) -> None
         (b"GET /" + b"x" * 40_000 + b" HTTP/1.1\r\nHost: x\r\n\r\n", 414),
         (b"GET / HTTP/1.1\r\nHost: x\r\nX: " + b"x" * 40_000 + b"\r\n\r\n", 431),
         (b"POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 200000000\r\n\r\n", 413),
+        (b"GET / HTTP/1.1\r\nHost: x\r\nContent-Length: 1000000000000\r\n\r\nx", 413),
+        (b"TRACE / HTTP/1.1\r\nHost: x\r\n\r\n", 405),
+        (b"GET / HTTP/3.0\r\nHost: x\r\n\r\n", 505),
         (b"GET / HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n", 502),
         (b"GET /late HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n", 504),
     ],
