@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Annotated, Any, Literal
 
 import numpy as np
 
 from app.answers.answer import Rows, SentAs, Table, Values, answer
 from app.answers.film_media import FilmMedia, MediaFacts, swept_place
+from app.answers.film_shortcuts import chosen_shortcuts, coated_surface
 from app.answers.materials.about import refuse_more_than
 from app.materials.appearance import DAYLIGHT, Viewing
-from app.optics.color import encode_srgb, lab, srgb_weights
+from app.optics.color import delta_e_2000, encode_srgb, lab, srgb_weights
 from app.optics.film_color import (
     UNRESOLVED,
     is_resolved,
@@ -77,6 +79,8 @@ class FilmColors:
             for names, values in channels:
                 flat = values.reshape(-1, 3)
                 columns |= {f"{found.model}.{n}": flat[:, i] for i, n in enumerate(names)}
+            if found.delta_e is not None:
+                columns[f"{found.model}.delta_e"] = found.delta_e.ravel()
             columns[f"{found.model}.hex"] = [cell for row in found.hex for cell in row]
         return Table(columns, "film_colors.csv")
 
@@ -88,6 +92,7 @@ def film_colors(
     theta_i_deg: Array,
     viewing: Viewing = DAYLIGHT,
     quantity: Quantity = "R",
+    models: Sequence[str] = (),
 ) -> FilmColors:
     """Evaluate colors over the thickness of one layer and the angle.
 
@@ -103,6 +108,8 @@ def film_colors(
         Under which light, by which observer.
     quantity
         R for the light that is reflected, T for what enters the second medium.
+    models
+        Shortcuts of renderers beside the exact colors.
 
     Raises
     ------
@@ -124,7 +131,15 @@ def film_colors(
     stack = whole if step == 1 else media.visible(step)[0]
     incidence = Incidence.from_degrees(theta_i_deg)
     colors_of = swept_colors if quantity == "R" else transmitted_colors
+    shortcuts = chosen_shortcuts(models, whole, quantity)
     linear = colors_of(stack, place, thickness_nm, incidence, srgb_weights(*viewing), step)
+    colors = [model_colors("exact", linear, viewing)]
+    if shortcuts:
+        surface = coated_surface(whole, thickness_nm, incidence, viewing)
+        for shortcut in shortcuts:
+            found = shortcut.color(surface)
+            off = delta_e_2000(lab(found, viewing.observer), colors[0].lab)
+            colors.append(model_colors(shortcut.id, found, viewing, off))
     return FilmColors(
         media=media.facts(),
         quantity=quantity,
@@ -135,7 +150,7 @@ def film_colors(
         observer=viewing.observer,
         adaptation=viewing.adaptation,
         step_nm=step,
-        colors=[model_colors("exact", linear, viewing)],
+        colors=colors,
         warnings=warnings,
     )
 

@@ -10,11 +10,13 @@ from pydantic import BeforeValidator, Field, model_validator
 from app.answers.axes import MOST_STEPS
 from app.answers.film_colors import FilmColors, Quantity, film_colors
 from app.answers.film_media import FilmMedia, Side
+from app.answers.film_shortcuts import FilmModelList, film_model_list
 from app.answers.film_solve import FilmSolutions, Target, film_solutions
 from app.answers.film_spectrum import FilmSpectrum, film_spectrum
 from app.answers.materials.about import refuse_more_than
 from app.answers.pane import PaneCurves, pane_curves
 from app.api.materials.queries import ColorQuery, FrontQuery
+from app.api.model_parameters import each_once
 from app.api.params import (
     AngleQuery,
     equal_samples,
@@ -162,6 +164,13 @@ class FilmColorQuery(FilmQuery, ColorQuery, TableQuery, LongQuery):
     samples: Count | None = Field(
         None, ge=2, le=2000, description="Equally spaced angles from 0 to 90 degrees instead."
     )
+    models: str = Field(
+        "exact",
+        max_length=500,
+        description="Comma-separated: `exact`, and ids of shortcuts of renderers, as listed at "
+        "/films/models, for one film in air. What is exact always comes first.",
+        examples=["exact,gltf_iridescence"],
+    )
     quantity: Quantity = Field(
         "R",
         description="Colors of the light that is reflected, `R`, or of what enters the second "
@@ -190,6 +199,16 @@ class FilmColorQuery(FilmQuery, ColorQuery, TableQuery, LongQuery):
         if self.theta_i_deg is not None:
             raise NotAllowed("samples", self.samples, "not beside theta_i_deg")
         return np.linspace(0.0, 90.0, self.samples)
+
+    def shortcuts(self) -> list[str]:
+        """Ids of the shortcuts.
+
+        Raises
+        ------
+        NotAllowed
+            If one is given twice.
+        """
+        return [name for name in each_once(self.models, str) if name != "exact"]
 
 
 class FilmSolveQuery(FilmQuery, AngleQuery, DigitsQuery, LongQuery):
@@ -280,7 +299,14 @@ def router() -> APIRouter:
             query.angles_deg(),
             query.viewing(),
             query.quantity,
+            query.shortcuts(),
         )
+
+    @routes.get(
+        "/films/models", summary="Shortcuts of renderers for films, and how far they are off"
+    )
+    def models(query: Annotated[DigitsQuery, Query()]) -> FilmModelList:  # noqa: ARG001
+        return film_model_list()
 
     @routes.get("/films/solve", summary="Thicknesses for least R, a color, or quarter waves")
     def solve(query: Annotated[FilmSolveQuery, Query()]) -> FilmSolutions:

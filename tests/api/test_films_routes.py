@@ -5,7 +5,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.optics.color import encode_srgb, linear_srgb
+from app.optics.color import delta_e_2000, encode_srgb, linear_srgb
+from app.optics.film_models import film_models
 from tests.api.shape import Ask, error_of, json_of, rows_of
 
 SOAP = {"layers": "1.33", "n_t": 1}
@@ -67,6 +68,40 @@ def test_a_transmitted_color_is_the_integral_of_what_is_transmitted(ask: Ask) ->
     color = told["colors"][0]["linear_srgb"][0][0]
     np.testing.assert_allclose(color, linear_srgb(T), atol=1e-4)
     assert color[1] > max(color[0], color[2])  # gold leaf is green from behind
+
+
+def test_shortcuts_stand_beside_the_exact_colors_with_their_difference(ask: Ask) -> None:
+    query = {"layers": "1.3", "thickness_nm": "0,100", "theta_i_deg": "0,60", "illuminant": "E"}
+    told = json_of(ask("/films/color", models="exact,gltf_iridescence,cycles_film", **query))
+    exact, gltf, cycles = told["colors"]
+    assert [each["model"] for each in told["colors"]] == [
+        "exact",
+        "gltf_iridescence",
+        "cycles_film",
+    ]
+    assert exact["delta_e"] is None
+    np.testing.assert_allclose(cycles["linear_srgb"][1][1], [0.0498, 0.0402, 0.0292], atol=1e-4)
+    np.testing.assert_allclose(gltf["linear_srgb"][1][0], [0.0031, 0.0044, 0.0076], atol=1e-4)
+    assert np.max(cycles["delta_e"]) < 1.0 < np.max(gltf["delta_e"])
+    # the difference is that of the colors sent
+    found = delta_e_2000(gltf["lab"], exact["lab"])
+    np.testing.assert_allclose(gltf["delta_e"], found, rtol=1e-12)
+
+
+def test_a_measured_metal_is_typed_in_as_renderers_take_it(ask: Ask) -> None:
+    query = {"layers": "1.0", "material": "Al", "thickness_nm": "0.001", "theta_i_deg": "0"}
+    told = json_of(ask("/films/color", models="cycles_film,materialx_schlick_airy", **query))
+    exact, cycles, half = (np.array(each["linear_srgb"][0][0]) for each in told["colors"])
+    np.testing.assert_allclose(cycles, exact, atol=0.01)
+    assert half[1] == pytest.approx(0.5 * exact[1], rel=0.05)
+
+
+def test_shortcuts_are_listed_with_their_errors(ask: Ask) -> None:
+    listed = json_of(ask("/films/models"))["models"]
+    assert [model["id"] for model in listed] == sorted(film_models())
+    for model in listed:
+        assert len(model["measured"]) >= 4
+        assert model["validity"].endswith(".")
 
 
 def test_colors_as_a_table(ask: Ask) -> None:
@@ -149,6 +184,30 @@ def test_a_wanted_color_is_found_again(ask: Ask) -> None:
             {"layers": "1.33", "thickness_nm": "1", "samples": 3, "theta_i_deg": "1"},
             "samples",
             "not beside theta_i_deg",
+        ),
+        (
+            "/films/color",
+            {"layers": "1.33,1.5:9", "thickness_nm": "5", "models": "cycles_film"},
+            "models",
+            "one film",
+        ),
+        (
+            "/films/color",
+            {"layers": "1.33", "thickness_nm": "5", "models": "cycles_film", "n_i": 1.5},
+            "models",
+            "in air",
+        ),
+        (
+            "/films/color",
+            {"layers": "1.33", "thickness_nm": "5", "models": "cycles_film", "quantity": "T"},
+            "models",
+            "reflected light",
+        ),
+        (
+            "/films/color",
+            {"layers": "1.33", "thickness_nm": "5", "models": "cycles"},
+            "models",
+            "cycles_film",
         ),
         ("/films/solve", {"layers": "1.33", "target": "color"}, "color", "an sRGB color"),
         ("/films/solve", {"layers": "1.33", "color": "#000000"}, "color", "not with target"),
