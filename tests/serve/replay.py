@@ -282,17 +282,17 @@ def replay(folder: Path, minutes: float) -> bool:
     ) as served:
         stage = Stage(served, mark, hangs)
         run_round(stage)  # which loads what is loaded once
-        before = stage.memory_mb()
+        memory = [stage.memory_mb()]
         ours, theirs = multiprocessing.Pipe()
         prober = multiprocessing.Process(target=probe, args=(served.address, theirs))
         prober.start()
         until = time.monotonic() + 60.0 * minutes
         while time.monotonic() < until:
             run_round(stage)
+            memory.append(stage.memory_mb())
         ours.send(None)
         times, statuses = ours.recv()
         prober.join()
-        after = stage.memory_mb()
         killed = kill_a_worker(stage)
         began = time.monotonic()
         served.process.send_signal(signal.SIGTERM)
@@ -310,8 +310,8 @@ def replay(folder: Path, minutes: float) -> bool:
         f"/health: median {statistics.median(times):.1f} ms, 99th percentile {p99:.1f} ms, "
         f"longest {max(times):.1f} ms (bar: 99th {HEALTH_MS:g})": p99 < HEALTH_MS,
         "/health and every large answer was 200": set(statuses) <= {"health 200", "large 200"},
-        f"memory {before:.0f} MB, then {after:.0f} MB (bar: {GROWTH:g} times)": after
-        < GROWTH * before,
+        f"memory after each round {', '.join(f'{mb:.0f}' for mb in memory)} MB "
+        f"(bar: {GROWTH:g} times)": memory[-1] < GROWTH * memory[0],
         f"orphans: {sorted(orphans)}": not orphans,
         f"stopped in {stopped:.1f} s (bar: {GRACE_S} s of grace)": stopped < GRACE_S + 1,
     }
