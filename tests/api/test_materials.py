@@ -9,6 +9,7 @@ from fastapi import FastAPI
 from pydantic import TypeAdapter
 
 from app.answers.materials.listing import Material
+from app.export.registry import TARGETS
 from app.materials.appearance import Viewing, appearance
 from app.materials.media import default_catalog
 from app.optics.color import decode_srgb
@@ -207,6 +208,31 @@ def test_pairs_of_n_and_k_stand_beside_other_ways(ask: Ask) -> None:
     assert abs(model - truth).max() == pytest.approx(tint["max_abs"], abs=1e-12)
 
 
+@pytest.mark.parametrize("to", list(TARGETS))
+def test_an_export_is_a_file_and_json_about_it(ask: Ask, to: str) -> None:
+    file = ask("/materials/gold/export", to=to)
+    told = ask("/materials/gold/export", to=to, format="json").json()
+    (only,) = told["files"]
+    assert file.text == only["text"]
+    assert file.headers["content-disposition"] == f'inline; filename="{only["name"]}"'
+    assert file.headers["content-type"].startswith(TARGETS[told["to"]].media_type)
+    engine = told["error"]["measured_with"]["engine"]
+    assert engine is None or ask(f"/engines/{engine}").status_code == 200
+
+
+def test_what_is_no_export_is_refused_by_name(ask: Ask) -> None:
+    for query, name in (
+        ({}, "to"),
+        ({"to": "unreal"}, "to"),
+        ({"to": "gltf", "mode": "nk"}, "mode"),
+        ({"to": "gltf", "policy": "unclamped"}, "policy"),
+        ({"to": "usd", "space": "acescg"}, "space"),
+    ):
+        answer = ask("/materials/Au/export", **query)
+        assert answer.status_code == 422
+        assert [e["parameter"] for e in answer.json()["errors"]] == [name]
+
+
 def test_convert_has_the_pairs_where_asked(ask: Ask) -> None:
     pairs = ask("/convert", **{"from": "nk"}, material="Au", to="rgb_nk").json()["rgb_nk"]
     assert pairs == ask("/materials/gold/rgb_nk").json()
@@ -243,7 +269,7 @@ def test_answers_have_names_and_wavelengths_a_unit(app: FastAPI) -> None:
         for path, of in app.openapi()["paths"].items()
         if "/materials" in path and "get" in of
     }
-    assert len(paths) == 6
+    assert len(paths) == 7
     for path, methods in paths.items():
         answer = methods["get"]["responses"]["200"]["content"]["application/json"]
         assert "$ref" in answer["schema"], path

@@ -4,11 +4,13 @@ from dataclasses import fields
 from typing import Annotated
 
 from fastapi import APIRouter, Query
+from starlette.responses import Response
 
 from app.answers.answer import chosen_fields
 from app.answers.materials.curves import MaterialCurves
 from app.answers.materials.curves import curves as evaluated
 from app.answers.materials.detail import MaterialDetail, detail
+from app.answers.materials.export import Export, export, exported_file
 from app.answers.materials.listing import Material, Materials
 from app.answers.materials.listing import materials as listed
 from app.answers.materials.map import MaterialMap, reflectance_map
@@ -17,6 +19,7 @@ from app.answers.materials.spectrum import MaterialSpectrum
 from app.answers.materials.spectrum import spectrum as constants
 from app.api.materials.queries import (
     DetailQuery,
+    ExportQuery,
     ListQuery,
     MapQuery,
     MaterialCurvesQuery,
@@ -24,8 +27,10 @@ from app.api.materials.queries import (
     SpectrumQuery,
 )
 from app.api.params import reported_as
+from app.export.registry import TARGETS
 from app.http.problems import MissingResource
 from app.http.route import QueryRoute
+from app.http.writing import shown_as
 from app.materials.errors import UnknownMaterial
 from app.materials.media import default_catalog
 from app.materials.schema import Preset
@@ -82,6 +87,21 @@ def router(registry: Registry | None = None) -> APIRouter:
     )
     def pairs(material: str, query: Annotated[RgbNkQuery, Query()]) -> RgbNk:
         return rgb_nk(found(material), query.viewing(), query.gamut, query.space)
+
+    @routes.get(
+        "/materials/{material}/export",
+        response_model=Export,
+        responses={200: {"content": {target.media_type: {} for target in TARGETS.values()}}},
+        summary="A material for a render engine, with what is lost and how far the engine is off",
+    )
+    def exported(material: str, query: Annotated[ExportQuery, Query()]) -> Export | Response:
+        asked = (found(material), query.to, query.mode, query.policy, query.space)
+        if query.format == "json":
+            return export(*asked)
+        file = exported_file(*asked)
+        return Response(
+            file.text, headers=shown_as(file.name), media_type=TARGETS[query.to].media_type
+        )
 
     @routes.get(
         "/materials/{material}/curves",

@@ -16,6 +16,7 @@ from app.api.params import (
     reported_as,
     wavelength,
 )
+from app.export.target import ModeId, TargetId
 from app.http.problems import BadParameters, ParameterError
 from app.http.query import Count, DigitsQuery, Number, QueryModel, TableQuery
 from app.materials.appearance import Viewing
@@ -103,6 +104,33 @@ class RgbNkQuery(ColorQuery, DigitsQuery):
     @property
     def takes_long(self) -> bool:
         """Always: three searches over the hemisphere."""
+        return True
+
+
+class ExportQuery(DigitsQuery):
+    """For which engine, and how."""
+
+    to: TargetId = Field(description="The engine or format.", examples=["materialx"])
+    mode: ModeId | None = Field(
+        None,
+        description="Which of the engine's ways, as `modes` of the answer lists them: `nk` three "
+        "fitted pairs of n and k, `f82` F0 and the tint at 82 degrees, `principled` the same in "
+        "Blender's Principled BSDF, `spectral` n and k over the wavelength, `schlick` F0 alone, `ior` "
+        "one index; the first that the material has unless given.",
+    )
+    policy: Gamut = _gamut("clamped")
+    space: Space = Field(
+        "srgb", description="Whose channels the numbers are: linear sRGB or ACEScg."
+    )
+    format: Literal["file", "json"] = Field(
+        "file",
+        description="The file alone, or JSON with the file's text, the parameters to type, what is "
+        "lost, and the largest error that the engine will show.",
+    )
+
+    @property
+    def takes_long(self) -> bool:
+        """Always: an integral over the wavelength at each angle."""
         return True
 
 
