@@ -14,7 +14,7 @@ PLACES = {
     "compare": "?view=compare",
     "albedo": "?view=albedo",
     "materials": "?view=materials",
-    "films": "?view=films",
+    "films": "?view=films&film_model=cycles_film",
     "pane": "?view=films&layers=soda-lime:4000000:incoherent&n_t=1&film_to=10000000",
     "engines": "?view=engines&engine=babylon&measured=gold",
     "preview": "?view=preview",

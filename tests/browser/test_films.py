@@ -79,6 +79,24 @@ def test_titanium_is_colored_by_its_voltage(quiet_page: Page) -> None:
     expect(page).to_have_url(re.compile(r"layers=2.4%3A120"))
 
 
+def test_a_shortcut_stands_beside_what_is_exact(quiet_page: Page) -> None:
+    page = quiet_page
+    page.goto("/?view=films&layers=1.33:330")
+    page.get_by_label("Shortcut of a renderer").select_option("gltf_iridescence")
+    expect(page).to_have_url(re.compile("film_model=gltf_iridescence"))
+    told = page.request.get(
+        "/api/v1/films/color?layers=1.33&thickness_nm=330&theta_i_deg=64&models=gltf_iridescence"
+    ).json()
+    _, shortcut = told["colors"]
+    shown = page.locator(".film-swatch", has_text="by the shortcut")
+    expect(shown).to_contain_text(shortcut["hex"][0][0])
+    expect(shown).to_contain_text(f"ΔE {shortcut['delta_e'][0][0]:.3g}")
+    expect(page.locator(".film-off")).to_contain_text("in the mean")
+    expect(page.get_by_role("figure", name=re.compile("color difference"))).to_be_visible()
+    page.get_by_role("button", name="Quarter-wave mirror").click()
+    expect(page.locator(".film-beside")).to_contain_text("a stack of several")
+
+
 @pytest.mark.parametrize("layers", ["unobtainium:5", "BK7:5:incoherent,Au:1e6:incoherent"])
 def test_a_layer_that_cannot_be_is_told_with_the_way_back(page: Page, layers: str) -> None:
     page.goto(f"/?view=films&layers={layers}")

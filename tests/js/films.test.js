@@ -1,8 +1,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { summary } from "../../static/js/films/beside.js";
 import { moved } from "../../static/js/films/drawing.js";
-import { EXAMPLES, isShown, stateOf } from "../../static/js/films/examples.js";
-import { filmFields, mapEnd, queries } from "../../static/js/films/fields.js";
+import { EXAMPLES, isShown, PLAIN, stateOf } from "../../static/js/films/examples.js";
+import { filmFields, isAskedFor, mapEnd, queries } from "../../static/js/films/fields.js";
 import {
   asked,
   openedAt,
@@ -103,4 +104,28 @@ test("colors are brightened alike until the brightest below 60 degrees fits", ()
   // the lower row is normal incidence; 0.25 times 4 is white, a channel below 0 none
   assert.deepEqual([...data.slice(12, 16)], [80, 255, 0, 255]);
   assert.deepEqual([...pixels(rows, null).data.slice(8, 11)], [255, 188, 0]);
+});
+
+test("a shortcut is asked for where renderers know the films, else it is said why not", () => {
+  const state = { ...PLAIN, layers: "1.33:300", film_model: "cycles_film" };
+  assert.deepEqual(isAskedFor({ ...state, film_model: "none" }), { wanted: false, why: "" });
+  assert.deepEqual(isAskedFor(state), { wanted: true, why: "" });
+  for (const [patch, why] of /** @type {const} */ ([
+    [{ layers: "1.33:300,1.5:9" }, /several/],
+    [{ layers: "1.5:3e6:incoherent" }, /interference/],
+    [{ n_i: 1.5 }, /air/],
+    [{ film_side: "T" }, /reflected/],
+  ])) {
+    const asked = isAskedFor({ ...state, ...patch });
+    assert.equal(asked.wanted, false);
+    assert.match(asked.why, why);
+  }
+});
+
+test("differences are summed up to an angle", () => {
+  const rows = [
+    [1, 2, 90],
+    [3, 6, 90],
+  ];
+  assert.deepEqual(summary(rows, [0, 45, 90], 85), { most: 6, mean: 3 });
 });

@@ -17,6 +17,9 @@ export const D_LINE = 587.6;
 /** What eyes see. */
 const VISIBLE = /** @type {const} */ ([380, 780]);
 const THICK = 4000; // nm: narrower fringes want every nanometer
+export const NO_MODEL = "none";
+const MODEL_ID = /^[a-z0-9_]{1,40}$/u;
+const AIR = 0.001; // how far n_i may be from 1 where a shortcut takes air for granted
 export const QUANTITIES = ["R", "Rs", "Rp", "T", "A"];
 /** Thicknesses and angles of the map; fewer where each cell is a whole spectrum. */
 const CELLS = { thicknesses: 256, angles: 91 };
@@ -34,6 +37,7 @@ export function filmFields() {
     film_show: list(QUANTITIES, ["R", "Rs", "Rp"]),
     film_to: number({ default: 1000, minimum: 1, maximum: THICKEST }),
     film_side: choice("R", ["R", "T"]),
+    film_model: text((id) => MODEL_ID.test(id), "it is no id of a shortcut", NO_MODEL),
     film_light: choice("bright", ["bright", "true", "each"]),
   };
 }
@@ -64,6 +68,24 @@ export function spectrumRange(state, { materials }) {
   return low < high ? [low, high] : [...VISIBLE];
 }
 
+/** Whether a shortcut is to be shown, and why it cannot be. @param {State} state @returns {{wanted: boolean, why: string}} */
+export function isAskedFor({ film_model, layers, n_i, film_side }) {
+  const all = readLayers(layers) ?? [];
+  const [only] = all;
+  if (film_model === NO_MODEL) return { wanted: false, why: "" };
+  const why =
+    all.length !== 1
+      ? "Renderers know one film: this is a stack of several."
+      : only?.incoherent
+        ? "Renderers know films with interference alone."
+        : Math.abs(n_i - 1) > AIR
+          ? "Renderers take air for granted on the incident side."
+          : film_side !== "R"
+            ? "Shortcuts are of reflected light."
+            : "";
+  return { wanted: why === "", why };
+}
+
 /** How far the thickness reaches on the map. @param {State} state @returns {number} */
 export function mapEnd({ layers, film_layer, film_to }) {
   const all = readLayers(layers) ?? [];
@@ -82,6 +104,7 @@ function mapPath(state, catalog) {
     `thickness_nm=0..${mapEnd(state)}:${thicknesses}`,
     `samples=${angles}`,
     state.film_side === "T" && "quantity=T",
+    isAskedFor(state).wanted && `models=${state.film_model}`,
     "digits=4",
   ]);
 }
@@ -97,6 +120,7 @@ function herePath(state, catalog, quantity) {
     `thickness_nm=${layers[place]?.nm ?? 0}`,
     `theta_i_deg=${state.theta_i_deg}`,
     quantity === "T" && "quantity=T",
+    quantity === "R" && isAskedFor(state).wanted && `models=${state.film_model}`,
   ]);
 }
 
@@ -135,6 +159,7 @@ export function later(state, catalog) {
     map: mapPath(state, catalog),
     reflected: herePath(state, catalog, "R"),
     transmitted: herePath(state, catalog, "T"),
+    shortcuts: "/films/models",
   };
 }
 

@@ -10,17 +10,18 @@ import { wavelengthOf } from "./fields.js";
 const entry = (film, words, write = six) =>
   html`<div><dt>${words}</dt><dd>${film === null || film === undefined ? "none" : write(film)}</dd></div>`;
 
-/** @param {any} answer @param {string} words */
-function swatch(answer, words) {
-  const [color] = answer?.colors ?? [];
+/** @param {any} answer @param {string} words @param {number} [which] of the models */
+function swatch(answer, words, which = 0) {
+  const color = answer?.colors?.[which];
   const hex = color?.hex?.[0]?.[0];
   if (!hex) return nothing;
   /** @type {number[]} */
   const lab = color.lab[0][0];
+  const off = color.delta_e?.[0]?.[0];
   return html`<div class="film-swatch">
     <i style="background: ${hex}"></i>
     <span>${words} <b>${hex}</b></span>
-    <span>Lab ${lab.map((v) => plain(v, 3)).join(", ")}</span>
+    <span>Lab ${lab.map((v) => plain(v, 3)).join(", ")}${off === undefined ? nothing : `; ΔE ${plain(off, 3)}`}</span>
   </div>`;
 }
 
@@ -47,7 +48,7 @@ export function createNumbers() {
               ? html`<p class="hint">Absorbed layer by layer: ${absorbed.map((a) => percent(a)).join(", ")}</p>`
               : nothing
           }
-          <div class="film-swatches">${swatch(reflected, "reflected")}${swatch(transmitted, "transmitted")}</div>`,
+          <div class="film-swatches">${swatch(reflected, "reflected")}${swatch(reflected, "by the shortcut", 1)}${swatch(transmitted, "transmitted")}</div>`,
         element,
       );
     },

@@ -2,6 +2,7 @@
 
 import { createExamples } from "../controls/examples.js";
 import { locate, read } from "../curves/reading.js";
+import { createBeside } from "../films/beside.js";
 import { createControls } from "../films/controls.js";
 import { createCurves } from "../films/curves.js";
 import { createDrawing } from "../films/drawing.js";
@@ -41,11 +42,14 @@ export function createView(context) {
     const coating = EXAMPLES.find(({ title }) => title.startsWith("MgF₂"));
     if (coating) actions.set(stateOf(coating));
   });
-  const map = createMap(
-    "Thickness and angle on the map of colors",
-    (nm, theta_i_deg) => actions.set({ ...withThickness(state(), nm), theta_i_deg }, replace),
-    actions.settle,
-  );
+  /** @param {number} nm @param {number} theta_i_deg @param {boolean} settled */
+  const go = (nm, theta_i_deg, settled) =>
+    actions.set(
+      { ...withThickness(state(), nm), theta_i_deg },
+      { history: settled ? "push" : "replace" },
+    );
+  const map = createMap("Thickness and angle on the map of colors", go, actions.settle);
+  const beside = createBeside(context, go);
   const numbers = createNumbers();
   const said = h("p.hint");
   const warned = h("p.hint");
@@ -77,6 +81,7 @@ export function createView(context) {
     actions.set(patch, replace);
     if (settled) actions.settle();
   });
+  element.append(beside.element);
   const problems = createProblems([
     "spectrum",
     "curves",
@@ -111,7 +116,9 @@ export function createView(context) {
     const light = now.film_light;
     if (newMap(exact, light))
       factor = light === "bright" ? brightening(exact.linear_srgb, found.theta_i_deg) : 1;
-    map.update(now, nm, found, exact, light === "each" ? null : factor);
+    const shown = light === "each" ? null : factor;
+    map.update(now, nm, found, exact, shown);
+    beside.update(now, nm, found, given.shortcuts?.models ?? [], shown, moving);
     if (moving) return;
     const each = light === "each" ? ", each color as bright as a screen can show it" : "";
     const times =
@@ -163,11 +170,15 @@ export function createView(context) {
       return told;
     },
 
-    theme: curves.theme,
+    theme() {
+      curves.theme();
+      beside.theme();
+    },
     deactivate: controls.stop,
     destroy() {
       controls.stop();
       curves.destroy();
+      beside.destroy();
       drawing.destroy();
     },
   };
