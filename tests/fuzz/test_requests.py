@@ -141,7 +141,9 @@ def test_no_request_breaks_the_server(served: Served, client: Client) -> None:
             client.memory.append(resident(served))
             print(f"{client.sent:>9} requests {client.memory[-1] / 1e6:8.1f} MB resident")  # noqa: T201
         if answer is None:
-            assert request.broken, f"no answer to {request}"
+            # nginx answers what ends after the address as HTTP/0.9, without a head.
+            headless = THROUGH_NGINX and b"\n" in request.target
+            assert request.broken or headless, f"no answer to {request}"
             client.statuses["hung up"] += 1
         else:
             client.statuses[str(answer[0])] += 1
