@@ -131,8 +131,8 @@ def test_every_get_of_the_api_is_answered_by_a_query_route(app: FastAPI) -> None
     paths = {path for path, on in app.openapi()["paths"].items() if "get" in on}
     assert paths
     for route in app.routes:
-        if isinstance(route, APIRoute) and route.methods != {"POST"}:
-            assert isinstance(route, QueryRoute)
+        if isinstance(route, APIRoute) and route.path.startswith(API.decode()):
+            assert isinstance(route, QueryRoute) or route.methods == {"POST"}
     for path in paths:
         answer = send(app, path.replace("{", "").replace("}", "").encode())
         assert answer.status != 500, path
