@@ -140,7 +140,7 @@ def layers(description: str, *, required: bool = False) -> Any:
     return Field(
         ... if required else None,
         min_length=1,
-        max_length=20_000,
+        max_length=LONGEST,
         description=f"Films between the media: {SPELLING}. An incoherent layer is so thick that the "
         "waves reflected at its two faces add as powers; its k is at most 0.01 n. " + description,
         examples=["MgF2:99.6", "SiO2:25,0.055+3.32i:30", "BK7:3000000:incoherent"],

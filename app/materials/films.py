@@ -32,7 +32,7 @@ INCOHERENT = "incoherent"
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 # A + that an address spells as it is arrives as a blank.
 _INDEX = re.compile(rf"\s*({_NUMBER})(?:\s*([+ -])\s*({_NUMBER})?\s*[ij])?\s*")
-_LONGEST = 20_000
+_LONGEST = 50_000
 
 
 @dataclass(frozen=True, slots=True)

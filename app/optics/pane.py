@@ -88,9 +88,10 @@ class Pane:
 
 
 def ashrae(incidence: Incidence, given: Mapping[str, float]) -> Array:
-    """1 - b (1 / cos(theta) - 1), 0 where that is less [1]_."""
-    with np.errstate(divide="ignore"):
-        return np.maximum(1.0 - given["b"] * (1.0 / incidence.cos - 1.0), 0.0)
+    """1 - b (1 / cos(theta) - 1), 0 where that is less and at 90 degrees [1]_."""
+    grazes = incidence.cos == 0.0
+    cos = np.where(grazes, 1.0, incidence.cos)
+    return np.where(grazes, 0.0, np.maximum(1.0 - given["b"] * (1.0 / cos - 1.0), 0.0))
 
 
 def martin_ruiz(incidence: Incidence, given: Mapping[str, float]) -> Array:
@@ -106,7 +107,9 @@ def physical(incidence: Incidence, given: Mapping[str, float]) -> Array:
 
     def through(at: Incidence) -> Array:
         cos_t = np.sqrt(1.0 - (at.sin / n) ** 2)
-        return np.asarray((1.0 - reflectance(face, at)) * np.exp(-path / cos_t))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            absorbed = np.where(cos_t > 0.0, np.exp(-path / cos_t), 0.0)
+        return np.asarray((1.0 - reflectance(face, at)) * absorbed)
 
     return np.asarray(through(incidence) / through(Incidence.from_degrees(0.0)))
 

@@ -33,4 +33,9 @@ def test_answers_are_those_that_the_schema_promises(case: Case[Any]) -> None:
     if case.path == "/api/v1/evaluate":  # which answers for each item, for wrong ones by an error
         excluded.append(negative_data_rejection)
     # A busy machine must not turn a slow answer into a failure.
-    case.call_and_validate(excluded_checks=excluded, timeout=60)
+    response = case.call(timeout=60)
+    if (
+        response.status_code == 414
+    ):  # the server's bound, before what the schema bounds is looked at
+        return
+    case.validate_response(response, excluded_checks=excluded)

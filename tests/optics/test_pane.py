@@ -61,3 +61,14 @@ def test_on_a_cell_the_physical_modifier_is_exact() -> None:
 def test_what_is_no_pane_is_refused() -> None:
     with pytest.raises(OutOfRange, match="absorption_per_m = -1"):
         Pane(absorption_per_m=-1.0)
+
+
+@pytest.mark.filterwarnings("error")
+def test_the_ends_of_the_parameters_are_no_faults() -> None:
+    ends = Incidence.from_degrees([0.0, 89.0, 90.0])
+    for given in (GIVEN | {"b": 0.0}, GIVEN | {"n": 1.0}, GIVEN | {"absorption_per_m": 0.0}):
+        for each in MODIFIERS:
+            values = each.function(ends, given)
+            assert np.isfinite(values).all()
+            assert values[0] == pytest.approx(1.0)
+    assert np.isfinite(Pane(1.0, 0.0, 0.0).modifier(ends)).all()
