@@ -79,8 +79,9 @@ test("a drag asks for the curves alone, where all media are known", () => {
   };
   const all = queries(state, /** @type {any} */ (catalog));
   const moving = queries(state, /** @type {any} */ (catalog), true);
-  assert.deepEqual(Object.keys(moving), ["spectrum", "curves"]);
-  assert.deepEqual(Object.keys(all), ["spectrum", "curves", "here"]);
+  assert.deepEqual(Object.keys(moving), ["shortcuts", "spectrum", "curves"]);
+  assert.deepEqual(Object.keys(all), ["shortcuts", "spectrum", "curves", "here"]);
+  assert.equal(moving.shortcuts, all.shortcuts);
   assert.match(
     all.spectrum,
     /^\/films\/spectrum\?n_t=1&layers=ZnS:50&theta_i_deg=0&minimum_nm=405&maximum_nm=780/,

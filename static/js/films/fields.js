@@ -125,7 +125,8 @@ function herePath(state, catalog, quantity) {
 }
 
 /**
- * Paths by name. What a drag does not need keeps its last answer.
+ * Paths by name. What a drag does not need keeps its last answer, and curves are coarser in it. The first
+ * is always answered: what is dragged moves at once, and waits for no curve.
  * @param {State} state
  * @param {Catalog} catalog
  * @param {boolean} [moving]
@@ -140,15 +141,16 @@ export function queries(state, catalog, moving = false) {
   const nm = `wavelength_nm=${wavelengthOf(state)}`;
   const theta = `theta_i_deg=${state.theta_i_deg}`;
   return {
+    shortcuts: "/films/models",
     spectrum: path("/films/spectrum", [
       ...media,
       theta,
       `minimum_nm=${low}`,
       `maximum_nm=${high}`,
-      !thick && "step_nm=2",
+      !thick && `step_nm=${moving ? 4 : 2}`,
       "digits=7",
     ]),
-    curves: path("/curves", [...media, nm, "samples=181", "digits=7"]),
+    curves: path("/curves", [...media, nm, `samples=${moving ? 91 : 181}`, "digits=7"]),
     ...(!moving && { here: path("/snell", [...media, nm, theta]) }),
   };
 }
@@ -159,12 +161,11 @@ export function later(state, catalog) {
     map: mapPath(state, catalog),
     reflected: herePath(state, catalog, "R"),
     transmitted: herePath(state, catalog, "T"),
-    shortcuts: "/films/models",
   };
 }
 
 /** @param {State} state @param {Catalog} catalog @returns {string[]} */
-export const restCalls = (state, catalog) => [
-  ...Object.values(queries(state, catalog)),
-  ...Object.values(later(state, catalog)),
-];
+export function restCalls(state, catalog) {
+  const { shortcuts, ...others } = queries(state, catalog);
+  return [...Object.values({ ...others, ...later(state, catalog) }), shortcuts ?? ""];
+}
