@@ -217,6 +217,6 @@ def _of_exponential(t: Array, u: Array, coefficients: list[Array], grazes: bool)
         under = d0 + d1 * u2 + d2 * X + d3 * Y
         if grazes:
             # Of this sum nothing but rounding may be left.
-            under = np.maximum(under, _ROUNDING * (d0 + d1))
+            under = np.maximum(under, _ROUNDING * (d0 + d1) + NOTHING)
         halves.append((n0 + n1 * u2 + n2 * X + n3 * Y) / under)
     return np.asarray(0.5 * (halves[0] + halves[1]))

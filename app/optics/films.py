@@ -41,10 +41,11 @@ from app.optics.numerics.pairs import (
     times,
 )
 from app.optics.parameters import Array, Number
-from app.optics.stack import Sheets, Stack
+from app.optics.stack import Sheet, Sheets, Stack
 from app.optics.transfer import (
     NOTHING,
     Group,
+    Medium,
     Passage,
     incident_medium,
     medium,
@@ -62,6 +63,7 @@ VALUES = 12288
 
 
 _SMALLEST_Y = 1e-150
+_MOST_FADING, _LEAST_LEAK = 0.1, 1e-15
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -327,9 +329,7 @@ def _incoherent(sheets: Sheets, incidence: Incidence, *, losses: bool) -> list[_
         Group(front, between[first + 1 : last], back, None)
         for front, back, first, last in zip(media, media[1:], ends, ends[1:], strict=False)
     ]
-    passed = [
-        -np.expm1(-2.0 * media[1 + i].q[1] * between[place].phase) for i, place in enumerate(thick)
-    ]
+    fading = [_Fading.of(media[1 + i], between[place]) for i, place in enumerate(thick)]
     onward = [passages(group, incidence, losses=losses) for group in groups]
     backward = [passages(_reversed(group), incidence, losses=losses) for group in groups[:-1]]
     found = []
@@ -339,8 +339,31 @@ def _incoherent(sheets: Sheets, incidence: Incidence, *, losses: bool) -> list[_
         faces = [_Face.of(each[polarization], y) for each in onward]
         backs = [_Face.of(each[polarization], y) for each in backward]
         admittances = [scaled(each[polarization].y, 1.0 / y) for each in onward[1:]]
-        found.append(_to_and_fro(faces, backs, admittances, passed, thick, len(between)))
+        found.append(_to_and_fro(faces, backs, admittances, fading, thick, len(between)))
     return found
+
+
+class _Fading(NamedTuple):
+    """What becomes of a wave's power in one passage of a thick layer."""
+
+    stays: Number
+    goes: Number
+    """1 - stays, with the digits that the difference would lose."""
+
+    @classmethod
+    def of(cls, layer: Medium, sheet: Sheet) -> _Fading:
+        """Describe a layer.
+
+        Beyond its critical angle nothing stays: there the wave has no phase to be averaged, and a
+        layer that is thick lets nothing through.
+        """
+        a, b = layer.q
+        depth = 2.0 * b * sheet.phase
+        stays, goes = np.exp(-depth), -np.expm1(-depth)
+        stands = b > _MOST_FADING * a
+        if anywhere(stands):
+            stays, goes = np.where(stands, 0.0, stays), np.where(stands, 1.0, goes)
+        return cls(stays, goes)
 
 
 def _reversed(group: Group) -> Group:
@@ -351,7 +374,7 @@ def _to_and_fro(
     faces: Sequence[_Face],
     backs: Sequence[_Face],
     admittances: Sequence[Pair],
-    absorbed: Sequence[Number],
+    fading: Sequence[_Fading],
     thick: Sequence[int],
     count: int,
 ) -> _Powers:
@@ -363,33 +386,33 @@ def _to_and_fro(
         The groups, as the incident wave meets them and, but for the last, as one from behind does.
     admittances
         Of the thick layers, over that of the incident medium.
-    absorbed
-        Part of a wave's power that a thick layer absorbs in one passage.
+    fading
+        What becomes of a wave in one passage of each thick layer.
     thick
         Their places among `count` layers.
     """
     # From the back: what all that lies beyond the first face of each thick layer sends back.
     beyond = [faces[-1].r2]
     rounds: list[Number] = []
-    for face, back, gone in zip(faces[-2::-1], backs[::-1], absorbed[::-1], strict=True):
-        there_and_back = (1.0 - gone) * (1.0 - gone) * beyond[0]
-        # Without any loss on the way nothing gets in, and the fraction is 0/0.
-        rounds.insert(0, 1.0 / maximum(1.0 - back.r2 * there_and_back, _SMALLEST_Y))
+    for face, back, once in zip(faces[-2::-1], backs[::-1], fading[::-1], strict=True):
+        there_and_back = once.stays * once.stays * beyond[0]
+        # Where as good as nothing leaks out nothing gets in either, and of 1 - 1 rounding is left.
+        rounds.insert(0, 1.0 / maximum(1.0 - back.r2 * there_and_back, _LEAST_LEAK))
         beyond.insert(0, face.r2 + face.t2 * back.t2 * there_and_back * rounds[0])
     # From the front: the waves in each thick layer, at its first face and arriving at its second.
     A: dict[int, Number] = {}
     comes: Number = 1.0
     after = 0
-    for face, back, further, y, gone, place, returns, again in zip(
-        faces, backs, faces[1:], admittances, absorbed, thick, beyond[1:], rounds, strict=False
+    for face, back, further, y, once, place, returns, again in zip(
+        faces, backs, faces[1:], admittances, fading, thick, beyond[1:], rounds, strict=False
     ):
         starts = comes * face.t2 * again
-        arrives = starts * (1.0 - gone)
-        from_behind = arrives * (1.0 - gone) * returns
+        arrives = starts * once.stays
+        from_behind = arrives * once.stays * returns
         lost = zip(face.lost, reversed(back.lost), strict=True)
         for inner, (there, here) in enumerate(lost, start=after):
             A[inner] = comes * there + from_behind * here
-        A[place] = y[0] * gone * (starts + arrives * returns)
+        A[place] = y[0] * once.goes * (starts + arrives * returns)
         if not is_zero(y[1]):
             # At a face a wave does interfere with its reflection, which is in no other mean.
             A[place] -= 2.0 * y[1] * (arrives * further.r_im + from_behind * back.r_im)

@@ -31,7 +31,7 @@ from app.optics.parameters import Array, Parameter
 from app.optics.stack import Layer, Stack
 
 N_PANE = Parameter("n", "n", 1.526, 1.0, 4.0, "", "Index of the pane, real.")
-THICKNESS_MM = Parameter("thickness_mm", "d", 2.0, 0.0, 1000.0, "mm", "Thickness of the pane.")
+THICKNESS_MM = Parameter("thickness_mm", "d", 2.0, 0.0, 100.0, "mm", "Thickness of the pane.")
 ABSORPTION_PER_M = Parameter(
     "absorption_per_m",
     "K",

@@ -258,6 +258,29 @@ def test_an_incoherent_layer_has_no_amplitudes() -> None:
     assert float(power(pane, Incidence.from_degrees(90.0)).R) == 1.0
 
 
+def test_a_thick_layer_beyond_its_critical_angle_lets_nothing_through() -> None:
+    incidence = Incidence.from_degrees([0.0, 40.0, 45.0, 80.0, 90.0])
+    gap = Stack(1.5, [Layer(1.0, 0.0, 1e6, incoherent=True)], 1.5)
+    R = power(gap, incidence).R
+    assert R[0] == pytest.approx(2 * 0.04 / 1.04, rel=RELATIVE)
+    np.testing.assert_array_equal(R[2:], 1.0)
+
+
+def test_a_thick_layer_from_which_nothing_leaks() -> None:
+    """Light that is shut in by total reflection on one side and a wide gap on the other."""
+    films = [
+        Layer(0.691, 0.0, 952.0),
+        Layer(82.8, 0.0, 1e6, incoherent=True),
+        Layer(1.0, 0.0, 1e9),
+        Layer(1.5, 0.0, 1e6, incoherent=True),
+    ]
+    incidence = Incidence.from_degrees(np.linspace(0.0, 90.0, 91))
+    energy = power(Stack(1.25, films, 1.0, wavelength_nm=296.0), incidence)
+    for R, T in ((energy.Rs, energy.Ts), (energy.Rp, energy.Tp)):
+        assert np.all((R >= 0.0) & (R <= 1.0 + IDENTITY))
+        assert np.all((T >= 0.0) & (T <= 1.0))
+
+
 def test_200_layers() -> None:
     """A mirror of quarter waves, whose field falls by (2.35 / 1.38)^100, and one of no order."""
     pair = [Layer(2.35, 0.0, 550.0 / 4 / 2.35), Layer(1.38, 0.0, 550.0 / 4 / 1.38)]
