@@ -35,7 +35,7 @@ UNRESOLVED = (
     "incoherent"
 )
 
-_VALUES = 16384
+_VALUES = 8192
 _SMALLEST_Q, _ROUNDING = 1e-8, 1e-9
 
 Complex = NDArray[np.complex128]
