@@ -446,3 +446,29 @@ def test_axe_finds_nothing(quiet_page: Page, theme: str, width: int) -> None:
     result = page.evaluate("() => axe.run(document)")
     found = [(v["id"], [node["target"] for node in v["nodes"]][:5]) for v in result["violations"]]
     assert found == []
+
+
+def test_a_material_is_taken_to_an_engine(quiet_page: Page) -> None:
+    page = opened(quiet_page, "&preset=Cr")
+    panel = page.locator(".sheet.take")
+    expect(panel).to_contain_text("Metallic BSDF, Physical Conductor")
+    expect(panel.locator(".parameters th")).to_have_text(["IOR", "Extinction", "Roughness"])
+    choose(page, ".sheet.take", "F82 tint")
+    expect(panel).to_contain_text("by the model f82_tint, as measured in cycles")
+    choose(page, ".sheet.take", "glTF")
+    expect(panel).to_contain_text(re.compile(r"Largest error 0\.2\d* at 83"))
+    assert link(page)["use_in"] == "gltf"
+    assert "use_mode" not in link(page)
+    with page.expect_download() as waiting:
+        panel.get_by_role("button", name="save Cr.gltf").click()
+    document = json.loads(Path(waiting.value.path()).read_bytes())
+    assert document["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] == 1
+
+
+def test_what_an_engine_cannot_take_is_said(page: Page) -> None:
+    opened(page, "&preset=Au&use_in=gltf&gamut=unclamped")
+    panel = page.locator(".sheet.take")
+    expect(panel.get_by_role("alert")).to_contain_text("clamped or scaled for to = gltf")
+    choose(page, ".sheet.take", "OpenPBR")
+    expect(panel.locator(".row-error")).to_be_empty()
+    expect(panel).to_contain_text("open_pbr_surface, metal")

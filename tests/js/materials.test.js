@@ -6,6 +6,7 @@ import { materialFields, wavelengths } from "../../static/js/materials/fields.js
 import { queries, restCalls, rivalsOf, shown } from "../../static/js/materials/queries.js";
 import { citation, condition, reference } from "../../static/js/materials/source.js";
 import { limits, shortName } from "../../static/js/materials/spectrum.js";
+import { off, typed } from "../../static/js/materials/use.js";
 import {
   stretch,
   wavelength,
@@ -81,12 +82,12 @@ test("only what a preset has is asked for", () => {
   const gold = queries(STATE, CATALOG);
   assert.equal(
     Object.keys(gold).join(" "),
-    "list detail index spectrum angles colors map rival:Au-Johnson rival:Au-Babar",
+    "list detail use index spectrum angles colors map rival:Au-Johnson rival:Au-Babar",
   );
   assert.equal(gold.detail, "/materials/Au");
   assert.equal(gold.angles, "/materials/Au/curves?rgb=false");
   const water = queries({ ...STATE, preset: "water" }, CATALOG);
-  assert.deepEqual(Object.keys(water), ["list", "detail", "index"]);
+  assert.deepEqual(Object.keys(water), ["list", "detail", "use", "index"]);
   assert.equal(water.index, "/curves?n_t=1.333&models=exact,schlick");
   assert.deepEqual(Object.keys(queries(STATE, CATALOG, true)), ["list", "detail"]);
 });
@@ -270,4 +271,31 @@ test("conditions and citations read as sentences", () => {
     cited,
     "Someone, 1972. https://doi.org/10.1/x. refractiveindex.info v1, main/Au/Johnson",
   );
+});
+
+test("what is typed in an engine is shown short, and how far it is off with its source", () => {
+  assert.equal(typed(1.5), "1.5");
+  assert.equal(typed([0.25, 0.5, 1]), "0.25, 0.5, 1");
+  assert.equal(typed([360, 1, 365, 2, 370, 3]), "360, 1, 365, 2, … (6 numbers)");
+  assert.ok(typed("360, ".repeat(90)).endsWith("…"));
+  const error = { max_abs: 0.2, at_deg: 83.25, channel: "red", delta_e: 7.4, delta_e_at_deg: 82 };
+  const measured = {
+    model: "schlick",
+    engine: "three",
+    version: "0.187.0",
+    way: "color",
+    note: "",
+  };
+  assert.match(
+    off({ ...error, measured_with: measured }),
+    /0\.2 at 83\.25° in red.*three 0\.187\.0/,
+  );
+  const told = {
+    model: null,
+    engine: null,
+    version: null,
+    way: null,
+    note: "its formula; not run",
+  };
+  assert.match(off({ ...error, measured_with: told }), /: its formula; not run\.$/);
 });

@@ -3,6 +3,7 @@
 import { choice, LinkError, number, optional } from "../state/state.js";
 import { text } from "../state/text.js";
 import { COLUMNS } from "./columns.js";
+import { MODES, TARGETS } from "./use.js";
 
 /** The wavelengths of Shirley's figure of copper, in nm. */
 export const SHIRLEY_NM = Object.freeze([400, 500, 600, 700, 800]);
@@ -50,5 +51,7 @@ export function materialFields({ materials }) {
     map_of: choice("R", ["R", "Rs", "Rp"]),
     gamut: choice("scaled", ["scaled", "clamped", "unclamped"]),
     illuminant: choice("D65", ["D65", "E"]),
+    use_in: choice("blender", Object.keys(TARGETS)),
+    use_mode: optional(Object.keys(MODES)),
   };
 }

@@ -84,6 +84,16 @@ function mapPath({ preset, map_of }) {
   ]);
 }
 
+/** @param {State} state */
+function usePath({ preset, use_in, use_mode, gamut }) {
+  return path(`/materials/${preset}/export`, [
+    `to=${use_in}`,
+    use_mode !== null && `mode=${use_mode}`,
+    gamut !== "clamped" && `policy=${gamut}`,
+    "format=json",
+  ]);
+}
+
 /**
  * Paths by name. While one walks through the table only the list and the preset itself are asked for.
  * @param {State} now
@@ -97,6 +107,7 @@ export function queries(now, catalog, moving = false) {
   /** @type {Record<string, string>} */
   const wanted = { list: listPath(state), detail: detailPath(state) };
   if (moving || !preset) return wanted;
+  wanted.use = usePath(state);
   wanted.index = `/curves?n_t=${preset.n_absolute}&models=${INDEX_MODELS}`;
   if (preset.kind !== "spectrum") return wanted;
   wanted.spectrum = `/materials/${preset.id}/spectrum`;
@@ -112,10 +123,10 @@ export function queries(now, catalog, moving = false) {
 
 /** @param {State} state @param {Catalog} catalog @returns {string[]} */
 export function restCalls(state, catalog) {
-  const { list, detail, spectrum, angles, colors, map, index } = queries(state, catalog);
+  const { list, detail, use, spectrum, angles, colors, map, index } = queries(state, catalog);
   const filtered = list !== "/materials";
   const own = spectrum ? [spectrum, angles, colors, map] : [index];
-  return [filtered ? list : null, detail, ...own].filter(
+  return [filtered ? list : null, detail, ...own, use].filter(
     (one) => one !== null && one !== undefined,
   );
 }

@@ -12,6 +12,7 @@ import { createNumbers } from "../materials/numbers.js";
 import { presetOf, shown } from "../materials/queries.js";
 import { createRivals, createSource } from "../materials/source.js";
 import { createSpectrum } from "../materials/spectrum.js";
+import { createUse } from "../materials/use.js";
 import { percent, plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { loadStyle } from "../page/style.js";
@@ -44,6 +45,7 @@ export function createView({ element, views, catalog, actions, state, say, save 
     /** @param {number} value */
     const outside = (value) => value < low || value > high;
     return {
+      use_mode: null,
       ...(at_nm !== null && outside(at_nm) && { at_nm: null }),
       ...(nm?.some(outside) && { nm: null }),
     };
@@ -80,10 +82,11 @@ export function createView({ element, views, catalog, actions, state, say, save 
   const colors = createColors(context);
   const map = createMap(context);
   sheets.append(h("div.beside", rivals.element, source.element));
+  const use = createUse({ parent: sheets, actions, say, save });
   /** By the name of the query. */
   const figures = { spectrum, angles, colors, map };
 
-  const problems = createProblems(["detail", "index", ...Object.keys(figures)]);
+  const problems = createProblems(["detail", "index", "use", ...Object.keys(figures)]);
   /** @type {Record<string, any>} */
   let latest = {};
   /** The answer of which what does not move was drawn. @type {unknown} */
@@ -93,6 +96,7 @@ export function createView({ element, views, catalog, actions, state, say, save 
     /** @param {string} name */
     const of = (name) => problems.of(name, latest);
     numbers.problem(of("detail"));
+    use.problem(of("use"));
     for (const [name, figure] of Object.entries(figures)) figure.problem(of(name));
     if (!of("colors")) colors.problem(of("index"));
   }
@@ -125,6 +129,7 @@ export function createView({ element, views, catalog, actions, state, say, save 
         map.update(now, answers.map, at);
       }
       colors.update(now, answers);
+      use.update(now, answers.use);
       showProblems();
     },
 
