@@ -19,6 +19,7 @@ PLACES = {
     "engines": "?view=engines&engine=babylon&measured=gold",
     "preview": "?view=preview",
     "path": "?view=theory",
+    "leaf": "?view=theory&step=films&thin_film=gold&thin_nm=50",
     "formulas": "?view=theory&section=formulas",
     "claims": "?view=theory&section=claims",
     "traps": "?view=theory&section=traps",

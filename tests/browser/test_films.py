@@ -79,6 +79,22 @@ def test_titanium_is_colored_by_its_voltage(quiet_page: Page) -> None:
     expect(page).to_have_url(re.compile(r"layers=2.4%3A120"))
 
 
+def test_the_lesson_shows_soap_go_black_and_gold_green_from_behind(quiet_page: Page) -> None:
+    page = quiet_page
+    page.goto("/?view=theory&step=films")
+    swatch = page.locator(".film-lesson .film-swatch")
+    expect(swatch).to_contain_text("120 nm of water")
+    page.get_by_role("slider", name="Thickness of layer 1", exact=True).focus()
+    for _ in range(11):
+        page.keyboard.press("PageUp")
+    expect(page.locator(".try").first).to_have_attribute("data-done", "")
+    expect(swatch).to_contain_text("10 nm of water")
+    page.get_by_role("radio", name="gold leaf, from behind").check()
+    told = page.request.get("/api/v1/films/color?layers=Au&n_t=1&thickness_nm=10&quantity=T").json()
+    expect(swatch).to_contain_text(told["colors"][0]["hex"][0][0])
+    expect(page).to_have_url(re.compile("thin_film=gold&thin_nm=10"))
+
+
 def test_a_shortcut_stands_beside_what_is_exact(quiet_page: Page) -> None:
     page = quiet_page
     page.goto("/?view=films&layers=1.33:330")

@@ -1,9 +1,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { summary } from "../../static/js/films/beside.js";
-import { moved } from "../../static/js/films/drawing.js";
 import { EXAMPLES, isShown, PLAIN, stateOf } from "../../static/js/films/examples.js";
 import { filmFields, isAskedFor, mapEnd, queries } from "../../static/js/films/fields.js";
+import { moved } from "../../static/js/layers/drawing.js";
 import {
   asked,
   openedAt,
@@ -12,8 +12,8 @@ import {
   roundAbove,
   thicknessText,
   withThickness,
-} from "../../static/js/films/layers.js";
-import { brightening, pixels } from "../../static/js/films/map.js";
+} from "../../static/js/layers/layers.js";
+import { brightening, pixels } from "../../static/js/layers/map.js";
 
 test("layers are read as links write them, and written the same", () => {
   for (const text of ["1.38:99.6", "0.055+3.32i:30,BK7:3000000:incoherent", "own:ab1:5,1.5:0"])

@@ -102,10 +102,10 @@ test("a share is read between the samples of a curve", () => {
   );
 });
 
-test("the first path goes from water to coats in the order of Shirley's post", () => {
+test("the first path goes from water to coats in the order of Shirley's post, and on to films", () => {
   assert.equal(
     STEPS.map((s) => s.id).join(" "),
-    "water split polarization brewster below schlick index metals rgb coat",
+    "water split polarization brewster below schlick index metals rgb coat films",
   );
 });
 

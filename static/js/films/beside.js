@@ -2,12 +2,12 @@
 
 import { createSelect } from "../controls/select.js";
 import { angleAxis, ends } from "../curves/reading.js";
+import { createMap } from "../layers/map.js";
 import { inDegrees, inUnit, plain, significant } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
 import { createDataTables, createExports, h, setText } from "../page/dom.js";
 import { createHeatmap } from "../plot/heatmap.js";
 import { isAskedFor, NO_MODEL } from "./fields.js";
-import { createMap } from "./map.js";
 
 /**
  * @typedef {{film_n: number, n_t: number, k_t: number, max_abs: number, max_delta_e: number, mean_delta_e: number}} Deviation
@@ -76,7 +76,7 @@ export function createBeside({ actions, state, save }, onPick) {
   let errors = null;
   const changed = createChanged();
 
-  /** @param {State} now @param {import('./map.js').ColorMap} found @param {number[][]} delta @param {FilmModel | undefined} model */
+  /** @param {State} now @param {import("../layers/map.js").ColorMap} found @param {number[][]} delta @param {FilmModel | undefined} model */
   function drawErrors(now, found, delta, model) {
     errors ??= createHeatmap(host, {
       name: "Color difference over thickness and angle",
@@ -121,7 +121,7 @@ export function createBeside({ actions, state, save }, onPick) {
     /**
      * @param {State} now
      * @param {number} nm
-     * @param {import('./map.js').ColorMap | undefined} found
+     * @param {import("../layers/map.js").ColorMap | undefined} found
      * @param {readonly FilmModel[]} models
      * @param {number | null} factor
      * @param {boolean} moving

@@ -8,13 +8,6 @@ import {
   createRow,
   createSheet,
 } from "../controls/panel.js";
-import { createInterface } from "../media/media.js";
-import { angle } from "../numbers/format.js";
-import { createChanged } from "../page/changed.js";
-import { h, symbol } from "../page/dom.js";
-import { html, render } from "../page/lit.js";
-import { NM_PER_VOLT, TITANIA } from "./examples.js";
-import { QUANTITIES } from "./fields.js";
 import {
   MOST_LAYERS,
   placeOf,
@@ -23,9 +16,16 @@ import {
   THICKEST,
   thicknessText,
   withThickness,
-} from "./layers.js";
+} from "../layers/layers.js";
+import { createInterface } from "../media/media.js";
+import { angle } from "../numbers/format.js";
+import { createChanged } from "../page/changed.js";
+import { h, symbol } from "../page/dom.js";
+import { html, render } from "../page/lit.js";
+import { NM_PER_VOLT, TITANIA } from "./examples.js";
+import { QUANTITIES } from "./fields.js";
 
-/** @typedef {import('./layers.js').Layer} Layer */
+/** @typedef {import('../layers/layers.js').Layer} Layer */
 
 /** @type {Record<string, RowManner>} */
 const MANNERS = {

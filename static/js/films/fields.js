@@ -1,8 +1,5 @@
 /** The state that the Films view adds to the one all views share, and what it asks for. */
 
-import { isDispersive } from "../media/media.js";
-import { choice, list, mediaQuery, number, path, whole } from "../state/state.js";
-import { text } from "../state/text.js";
 import {
   asked,
   MOST_LAYERS,
@@ -11,7 +8,10 @@ import {
   readLayers,
   roundAbove,
   THICKEST,
-} from "./layers.js";
+} from "../layers/layers.js";
+import { isDispersive } from "../media/media.js";
+import { choice, list, mediaQuery, number, path, whole } from "../state/state.js";
+import { text } from "../state/text.js";
 
 export const D_LINE = 587.6;
 /** What eyes see. */

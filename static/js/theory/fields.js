@@ -3,6 +3,7 @@
 import { coatFields } from "../coat/fields.js";
 import { choice, number } from "../state/state.js";
 import { text } from "../state/text.js";
+import { thinFields } from "./film-lesson.js";
 import { decode } from "./mystery-code.js";
 import { STEPS } from "./steps.js";
 import { TRAPS } from "./trap-cards.js";
@@ -62,5 +63,6 @@ export function theoryFields({ parameters, materials }) {
     own_pol: oneOf(["s", "p", "unpolarized"]),
     own_of: oneOf(materials.map((m) => m.id)),
     ...coatFields(parameters),
+    ...thinFields(),
   };
 }

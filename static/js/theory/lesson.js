@@ -1,4 +1,5 @@
 import { locate, read, values } from "../curves/reading.js";
+import { thinQueries } from "./film-lesson.js";
 
 /**
  * What a lesson is, and the numbers that hold in it: its own, until the reader moves them.
@@ -19,7 +20,7 @@ import { locate, read, values } from "../curves/reading.js";
  * @property {string[]} text paragraphs; `$…$` is mathematics
  * @property {string} [formula] of `/formulas`, shown with a link
  * @property {string} [code] what people write
- * @property {'colors' | 'coat'} [picture] in place of the ray beside the curves
+ * @property {'colors' | 'coat' | 'films'} [picture] in place of the ray beside the curves
  * @property {Partial<Setting>} at
  * @property {Partial<Record<RowName, [number, number]>>} [rows] what can be moved, with the slider's range
  * @property {string[]} [models]
@@ -63,6 +64,7 @@ export function media({ n_i, n_t, k_t }) {
 export function lessonQueries(state, lesson) {
   const setting = settingOf(state, lesson);
   if (lesson.picture === "coat") return {}; // the Albedo view's own
+  if (lesson.picture === "films") return thinQueries(state, setting.deg);
   if (lesson.picture === "colors") {
     const models = (lesson.models ?? []).join(",");
     return {

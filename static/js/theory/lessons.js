@@ -8,6 +8,7 @@ import { addressOf, clicked, pageLink } from "../page/links.js";
 import { html, nothing, render } from "../page/lit.js";
 import { pieces } from "../page/prose.js";
 import { UNTOUCHED } from "./fields.js";
+import { createFilmPicture } from "./film-picture.js";
 import { settingOf } from "./lesson.js";
 import { createRows } from "./rows.js";
 import { createStage } from "./stage.js";
@@ -54,6 +55,8 @@ export function createLessons({ lessons, key, title, intro, context }) {
     actions,
   });
   const coat = createCoat(context, `${key}-`);
+  /** Made for the lesson that has it. @type {ReturnType<typeof createFilmPicture> | null} */
+  let films = null;
   const element = h("div", { class: `lessons ${section}` });
 
   let shown = lessonOf(state());
@@ -108,7 +111,9 @@ export function createLessons({ lessons, key, title, intro, context }) {
           prefix: `${key}-`,
         })
       : null;
-    stage.element.hidden = picture === "coat";
+    if (picture === "films") films ??= createFilmPicture(context);
+    if (films) films.element.hidden = picture !== "films";
+    stage.element.hidden = picture === "coat" || picture === "films";
     stage.element.dataset.picture = picture ?? "surface";
     coat.element.hidden = picture !== "coat";
     stage.explain(KEYS[models.join()] ?? "");
@@ -171,8 +176,8 @@ export function createLessons({ lessons, key, title, intro, context }) {
           <div class="lesson-media" role="group" aria-label="Media" ?hidden=${media.length === 0}>
             ${media.map((id) => medium(id, setting))}
           </div>
-          ${stage.element} ${coat.element}
-          <p class="lesson-live" ?hidden=${picture === "coat"}>${live}</p>
+          ${stage.element} ${coat.element} ${films?.element}
+          <p class="lesson-live" ?hidden=${picture === "coat" || picture === "films"}>${live}</p>
           <div>${rows?.element}</div>
         </section>
         <section class="lesson-after" aria-label="Try it">
@@ -207,8 +212,10 @@ export function createLessons({ lessons, key, title, intro, context }) {
       const { picture } = lesson;
       const setting = settingOf(now, lesson);
       if (lesson !== shown) build(lesson);
-      const reading = picture === "coat" ? null : stage.update(lesson, setting, answers, moving);
+      const own = picture === "coat" || picture === "films";
+      const reading = own ? null : stage.update(lesson, setting, answers, moving);
       if (picture === "coat") coat.update(now, answers.coat, undefined);
+      if (picture === "films") films?.update(now, setting.deg, answers);
       const scene = { setting, reading, answers, state: now };
       const answered = reading !== null && sameMedia(reading.interface, setting);
       rows?.update(setting, reading ? landmarksOf(reading.interface) : []);
@@ -217,7 +224,7 @@ export function createLessons({ lessons, key, title, intro, context }) {
         live = lesson.live({ ...scene, reading });
       const touched = Object.keys(UNTOUCHED).some((name) => now[name] !== null);
       // What is swept past in a gesture is not found.
-      const fair = picture ? touched || picture === "coat" : answered && touched;
+      const fair = picture ? touched || own : answered && touched;
       if (fair && !moving) judge(scene);
       draw(setting);
     },
@@ -230,6 +237,7 @@ export function createLessons({ lessons, key, title, intro, context }) {
     destroy() {
       stage.destroy();
       coat.destroy();
+      films?.destroy();
     },
   };
 }

@@ -320,4 +320,33 @@ export const STEPS = [
       ["Guess a mystery material", "theory", { section: "mystery" }],
     ],
   },
+  {
+    id: "films",
+    title: "Two boundaries: why soap goes black and gold leaf is green",
+    text: [
+      "A film has two boundaries, and the waves from both add: $r=\\dfrac{r_{12}+r_{23}e^{2i\\delta}}{1+r_{12}r_{23}e^{2i\\delta}}$ with $\\delta=\\dfrac{2\\pi n d\\cos\\theta}{\\lambda}$. The second wave has gone to the far side and back, so what it adds depends on the color, the thickness and the angle: a soap film, which has no color of its own, shows all of them.",
+      "Where soap gets very thin it goes **black**. The wave from the far side then lags by nothing, but it comes off water into air, which turns it over: $r_{23}=-r_{12}$. The two cancel in every color. Shortly after, the film bursts.",
+      "Gold absorbs, and yet a leaf of a ten-thousandth of a millimeter lets light through. It reflects red and yellow and absorbs blue; what is left for the far side is **green**. That is Shirley's remark about gold, seen from behind. In the metal the planes of equal amplitude lie parallel to the surface, for the light dies with depth, while those of equal phase lean with the angle.",
+    ],
+    formula: "model.exact",
+    picture: "films",
+    at: { deg: 0 },
+    rows: { own_deg: [0, 90] },
+    tries: [
+      {
+        say: "Thin the soap until it is black.",
+        done: ({ state }) => state.thin_film === "soap" && state.thin_nm <= 15,
+        reply: "Below 15 nm nothing is left of any color: the two reflections cancel.",
+      },
+      {
+        say: "Take gold leaf of 50 nm or more and look at it from behind.",
+        done: ({ state }) => state.thin_film === "gold" && state.thin_nm >= 50,
+        reply: "Green, darker and bluer the thicker it is; 200 nm let next to nothing through.",
+      },
+    ],
+    more: [
+      ["Films of your own, exact and as renderers shorten them", "films", {}],
+      ["Gold leaf in full", "films", { layers: "Au:50", n_t: 1, film_to: 200, film_side: "T" }],
+    ],
+  },
 ];

@@ -5,12 +5,12 @@ import { locate, read } from "../curves/reading.js";
 import { createBeside } from "../films/beside.js";
 import { createControls } from "../films/controls.js";
 import { createCurves } from "../films/curves.js";
-import { createDrawing } from "../films/drawing.js";
 import { EXAMPLES, isShown, stateOf } from "../films/examples.js";
 import { filmFields, wavelengthOf } from "../films/fields.js";
-import { placeOf, readLayers, withThickness } from "../films/layers.js";
-import { brightening, createMap, FITS_TO } from "../films/map.js";
 import { createNumbers } from "../films/numbers.js";
+import { createDrawing } from "../layers/drawing.js";
+import { placeOf, readLayers, withThickness } from "../layers/layers.js";
+import { brightening, createMap, FITS_TO } from "../layers/map.js";
 import { percent, plain } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
 import { h, setText } from "../page/dom.js";
@@ -109,7 +109,7 @@ export function createView(context) {
 
   /** @param {State} now @param {number} nm @param {boolean} moving */
   function showColors(now, nm, moving) {
-    /** @type {import('../films/map.js').ColorMap | undefined} */
+    /** @type {import('../layers/map.js').ColorMap | undefined} */
     const found = given.map;
     const [exact] = found?.colors ?? [];
     if (!found || !exact) return;

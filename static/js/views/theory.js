@@ -24,8 +24,8 @@ export const fields = theoryFields;
  */
 
 await Promise.all([
-  ...["parameters", "albedo", "albedo-coat", "materials", "theory"].map((name) =>
-    loadStyle(`css/${name}.css`),
+  ...["parameters", "heatmap", "albedo", "albedo-coat", "films", "materials", "theory"].map(
+    (name) => loadStyle(`css/${name}.css`),
   ),
   loadKatex().catch(() => {}), // formulas then stand as LaTeX
 ]);
@@ -39,7 +39,7 @@ const MAKERS = {
       key: "step",
       title: "First path",
       intro:
-        "Ten steps from a pond to paint, each with a picture to touch. No mathematics is needed to begin.",
+        "Eleven steps from a pond to gold leaf, each with a picture to touch. No mathematics is needed to begin.",
     }),
   traps: async (context) =>
     createLessons({

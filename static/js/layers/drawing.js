@@ -68,11 +68,14 @@ export function createDrawing(onMove, onSettle) {
   let known = null;
   /** @type {{place: number, y: number, nm: number, scale: number} | null} */
   let held = null;
+  /** What a key has set and no frame has drawn yet. @type {{place: number, nm: number} | null} */
+  let pressed = null;
   let scaled = 0; // nm that the room for layers stands for
   let perPixel = 1;
 
   /** @param {number} place */
   function nmOf(place) {
+    if (pressed?.place === place) return pressed.nm;
     return readLayers(known?.now.layers ?? "")?.[place]?.nm ?? 0;
   }
 
@@ -103,6 +106,7 @@ export function createDrawing(onMove, onSettle) {
         const next = moved({ nm: nmOf(place), key: event.key, shift: event.shiftKey });
         if (next === null) return;
         event.preventDefault();
+        pressed = { place, nm: next };
         onMove(place, next);
       },
       onkeyup: onSettle,
@@ -276,6 +280,7 @@ export function createDrawing(onMove, onSettle) {
      */
     update(now, facts, here, reading) {
       known = { now, facts, here, reading };
+      pressed = null;
       draw();
     },
     destroy() {
