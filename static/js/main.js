@@ -54,8 +54,8 @@ function sharedFields({ parameters, materials }) {
       "explore",
       VIEWS.map((v) => v.id),
     ),
-    incident: optional(materials.filter(canBeIncident).map((m) => m.id)),
-    material: optional(materials.map((m) => m.id)),
+    incident: optional(() => materials.filter(canBeIncident).map((m) => m.id)),
+    material: optional(() => materials.map((m) => m.id)),
     wavelength_nm: number({ ...WAVELENGTH, default: null }),
     ...Object.fromEntries(own),
     embed: optional(["1"]),
@@ -116,6 +116,33 @@ async function firstCatalog(main) {
   }
 }
 
+/** Files that are dropped anywhere, and pickers whose last line was taken. @param {(given: OwnGiven) => void} open */
+function listenForOwn(open) {
+  /** @param {DragEvent} event */
+  const hasFiles = ({ dataTransfer }) => dataTransfer?.types.includes("Files") ?? false;
+  /** @param {boolean} is */
+  const show = (is) => document.body.classList.toggle("dropping", is);
+  window.addEventListener("dragover", (event) => {
+    if (!hasFiles(event)) return;
+    event.preventDefault();
+    show(true);
+    void import("./own/sheet.js").then(({ prepare }) => prepare());
+  });
+  window.addEventListener("dragleave", ({ relatedTarget }) => {
+    if (!relatedTarget) show(false);
+  });
+  window.addEventListener("drop", (event) => {
+    show(false);
+    const files = [...(event.dataTransfer?.files ?? [])];
+    if (!files.length) return;
+    event.preventDefault();
+    open({ files });
+  });
+  window.addEventListener("ownmaterial", (event) => {
+    open({ side: /** @type {CustomEvent<"incident" | "material">} */ (event).detail });
+  });
+}
+
 async function start() {
   const main = byId("view");
   /** @type {ReturnType<typeof createRouter> | undefined} */
@@ -129,6 +156,8 @@ async function start() {
   });
 
   const catalog = await firstCatalog(main);
+  if (localStorage.getItem("own-materials") || /own(:|%3A)/i.test(location.search))
+    await (await import("./own/kept.js")).bring(catalog, location.search);
   const constants = createConstants({
     materials: catalog.materials,
     query: createQuery,
@@ -353,6 +382,11 @@ async function start() {
   const orders = {
     find: async () => (await import("./page/finder.js")).openFinder(found),
     help: async () => (await import("./page/help.js")).openHelp(),
+    own: async (/** @type {OwnGiven} */ given = {}) =>
+      (await import("./own/sheet.js")).openSheet(
+        { catalog, set: state.set, say: shell.say },
+        given,
+      ),
     // A link that is under way is the step that is meant.
     undo: () => arrived.then(() => shell.say(steps.undo() ? "Undone" : "Nothing to undo")),
     redo: () => arrived.then(() => shell.say(steps.redo() ? "Done again" : "Nothing to redo")),
@@ -370,9 +404,11 @@ async function start() {
       { name: "Undo", note: "Ctrl Z", run: orders.undo },
       { name: "Redo", note: "Ctrl Shift Z", run: orders.redo },
       { name: "Keys", note: "?", run: orders.help },
+      { name: "Your own material…", note: "a file or a table", run: () => orders.own() },
     ],
   };
   listenForKeys(orders);
+  listenForOwn((given) => void orders.own(given));
   byId("open-finder").addEventListener("click", orders.find);
   byId("help").addEventListener("click", orders.help);
   state.subscribe(async (now, moving) => {

@@ -6,6 +6,9 @@ import { loadStyle } from "../page/style.js";
 import { distance } from "../state/state.js";
 
 const MOST_TYPOS = 2;
+
+/** The last line of each list: a material that is not in it. @type {any} */
+const OWN = { id: "own", name: "Your own…", category: "your own" };
 let pickers = 0;
 
 /**
@@ -82,7 +85,7 @@ export async function createList({
 
   /** @param {Material} material @param {number} index */
   function option(material, index) {
-    const why = refusal(material);
+    const why = material === OWN ? null : refusal(material);
     return h(
       "li",
       {
@@ -95,13 +98,16 @@ export async function createList({
         title: why,
       },
       h("span.media-name", material.name),
-      h("span.note", `${note(material)} · ${origin(material)}`),
+      h(
+        "span.note",
+        material === OWN ? "a file or a table" : `${note(material)} · ${origin(material)}`,
+      ),
     );
   }
 
   /** @param {string} text what is searched for; everything, in groups, where it is empty */
   function open(text) {
-    const all = matching(materials, text);
+    const all = [...matching(materials, text), OWN];
     const names = text.trim() === "" ? [...new Set(all.map(groupOf))] : [];
     found = names.length ? names.flatMap((name) => all.filter((m) => groupOf(m) === name)) : all;
     if (!list) {
@@ -136,9 +142,10 @@ export async function createList({
       );
     });
     list.replaceChildren(...(names.length ? rows : found.map(option)));
-    if (found.length === 0)
-      list.append(h("li.media-group", { role: "presentation" }, "nothing is called so"));
-    activate(text.trim() === "" ? found.findIndex((m) => m.id === chosen()) : 0);
+    if (found.length === 1)
+      list.prepend(h("li.media-group", { role: "presentation" }, "nothing is called so"));
+    if (text.trim() === "") activate(found.findIndex((m) => m.id === chosen()));
+    else activate(found.length > 1 ? 0 : -1);
   }
 
   function close() {
@@ -169,7 +176,7 @@ export async function createList({
   /** @param {number} index */
   function take(index) {
     const material = found[index];
-    if (!material || refusal(material) !== null) return;
+    if (!material || (material !== OWN && refusal(material) !== null)) return;
     close();
     onPick(material.id);
     input.value = written(material.id);

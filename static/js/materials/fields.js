@@ -33,10 +33,9 @@ export function wavelengths() {
 
 /** @param {Catalog} catalog @returns {Record<string, Field>} */
 export function materialFields({ materials }) {
-  const ids = materials.map((m) => m.id);
   const categories = [...new Set(materials.map((m) => m.category))];
   return {
-    preset: optional(ids),
+    preset: optional(() => materials.map((m) => m.id)),
     find: text((given) => given.length <= 100, "it is too long", ""),
     category: choice("all", ["all", ...categories]),
     of_kind: choice("all", ["all", "spectrum", "single"]),

@@ -216,6 +216,7 @@ export function createInterface({
       describe: describeMedia,
       onPick(id) {
         if (materials.some((m) => m.id === id)) actions.set({ [side]: id });
+        else window.dispatchEvent(new CustomEvent("ownmaterial", { detail: side }));
       },
     });
   const from = field("incident", "Incident medium", (m) =>

@@ -75,11 +75,12 @@ export function whole(field) {
   };
 }
 
-/** One of some ids or none. @param {string[]} options @returns {Field} */
-export function optional(options) {
+/** One of some ids or none; a function tells those of a list that may grow. @param {string[] | (() => string[])} ids @returns {Field} */
+export function optional(ids) {
   return {
     default: null,
     parse(text) {
+      const options = typeof ids === "function" ? ids() : ids;
       if (!options.includes(text)) throw new LinkError(allowedWords(options, text));
       return text;
     },
