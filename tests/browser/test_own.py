@@ -114,7 +114,7 @@ def test_a_pasted_table_is_read_and_axe_finds_nothing(quiet_page: Page) -> None:
     pasted.press("Tab")
     expect(sheet).to_contain_text("decimal = ,")
     for scheme in ("light", "dark"):
-        page.emulate_media(color_scheme=scheme)  # type: ignore[arg-type]
+        page.emulate_media(color_scheme=scheme)
         page.evaluate(AXE.read_text("utf-8"))
         found = page.evaluate("() => axe.run('dialog')")
         assert [one["id"] for one in found["violations"]] == []
