@@ -116,33 +116,6 @@ async function firstCatalog(main) {
   }
 }
 
-/** Files that are dropped anywhere, and pickers whose last line was taken. @param {(given: OwnGiven) => void} open */
-function listenForOwn(open) {
-  /** @param {DragEvent} event */
-  const hasFiles = ({ dataTransfer }) => dataTransfer?.types.includes("Files") ?? false;
-  /** @param {boolean} is */
-  const show = (is) => document.body.classList.toggle("dropping", is);
-  window.addEventListener("dragover", (event) => {
-    if (!hasFiles(event)) return;
-    event.preventDefault();
-    show(true);
-    void import("./own/sheet.js").then(({ prepare }) => prepare());
-  });
-  window.addEventListener("dragleave", ({ relatedTarget }) => {
-    if (!relatedTarget) show(false);
-  });
-  window.addEventListener("drop", (event) => {
-    show(false);
-    const files = [...(event.dataTransfer?.files ?? [])];
-    if (!files.length) return;
-    event.preventDefault();
-    open({ files });
-  });
-  window.addEventListener("ownmaterial", (event) => {
-    open({ side: /** @type {CustomEvent<"incident" | "material">} */ (event).detail });
-  });
-}
-
 async function start() {
   const main = byId("view");
   /** @type {ReturnType<typeof createRouter> | undefined} */
@@ -408,7 +381,10 @@ async function start() {
     ],
   };
   listenForKeys(orders);
-  listenForOwn((given) => void orders.own(given));
+  for (const kind of ["dragenter", "ownmaterial"])
+    window.addEventListener(kind, async (event) =>
+      (await import("./own/coming.js")).on(event, orders.own),
+    );
   byId("open-finder").addEventListener("click", orders.find);
   byId("help").addEventListener("click", orders.help);
   state.subscribe(async (now, moving) => {

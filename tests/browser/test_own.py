@@ -79,11 +79,13 @@ def test_an_assumption_is_flipped(quiet_page: Page) -> None:
     expect(sheet).to_contain_text("k 0.0100")
 
 
-DROP = """() => {
+DROP = """async () => {
   const data = new DataTransfer();
   data.items.add(new File(["nm,n,k\\n400,1.5,0\\n700,1.4,0.1\\n"], "dropped.csv"));
-  for (const kind of ["dragover", "drop"])
+  for (const kind of ["dragenter", "dragover", "drop"]) {
     window.dispatchEvent(new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }));
+    await new Promise((go) => setTimeout(go, 1500));  // as long as a hand takes
+  }
 }"""
 
 

@@ -4,7 +4,7 @@
 """
 
 import os
-import resource
+import subprocess
 import sys
 import time
 from collections import Counter
@@ -13,6 +13,7 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
+import pytest
 from hypothesis import HealthCheck, Phase, given, seed, settings
 from hypothesis import strategies as st
 
@@ -29,6 +30,7 @@ SEED = int(os.environ.get("FUZZ_SEED", "7"))
 SLOWEST_S = 2.0
 """Of the processor: how long others keep it does not count."""
 MOST_MB = 300
+ROOT = Path(__file__).parents[2]
 
 File = tuple[str, bytes]
 FILES = [
@@ -201,8 +203,34 @@ def test_no_invented_file_brings_the_reader_down() -> None:
     reader.tell()
 
 
-def test_reading_takes_little_memory() -> None:
-    """The process is one of its own in `make fuzz` alone; elsewhere other tests ran before."""
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
-    print(f"peak {peak} MB")  # noqa: T201
-    assert READS < 10_000 or sys.platform != "linux" or peak < MOST_MB
+LARGEST = {
+    "rows": ("a.csv", "b'\\n'.join(b'%.2f 1.5%d' % (300 + i / 99, i % 97) for i in range(150000))"),
+    "no numbers": ("a.csv", "b'nm,n,k\\n' + b'400,1.5,x\\n' * 190000"),
+    "one wavelength": ("a.csv", "b'nm,n,k\\n' + b'400,1.5,0.1\\n' * 160000"),
+    "a page": (
+        "a.yml",
+        "b'DATA:\\n  - type: tabulated nk\\n    data: |\\n' + b'     0.4 1.5 0.1\\n' * 110000",
+    ),
+}
+CHILD = """
+import resource, sys
+from app.answers.materials.reading import read_material
+from app.optics.errors import OpticsError
+try:
+    read_material([({name!r}, {content})])
+except OpticsError:
+    pass
+print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="counts memory as Linux does")
+@pytest.mark.parametrize("kind", LARGEST)
+def test_the_largest_files_take_little_memory(kind: str) -> None:
+    """In a process of its own: what generates files takes more than what reads them."""
+    name, content = LARGEST[kind]
+    child = CHILD.format(name=name, content=content)
+    done = subprocess.run(
+        [sys.executable, "-c", child], check=True, capture_output=True, text=True, cwd=ROOT
+    )
+    assert int(done.stdout) < MOST_MB

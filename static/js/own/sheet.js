@@ -5,7 +5,8 @@ import { h } from "../page/dom.js";
 import { addressOf, follow } from "../page/links.js";
 import { html, nothing, render, svg } from "../page/lit.js";
 import { loadStyle } from "../page/style.js";
-import { Problem, send } from "../server/api.js";
+import { Problem } from "../server/api.js";
+import { send } from "../server/sending.js";
 import { forget, keep, keptRows } from "./kept.js";
 
 /** What may be set by hand, and its values where they are few. @type {[string, string, string[]][]} */

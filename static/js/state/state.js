@@ -75,7 +75,7 @@ export function whole(field) {
   };
 }
 
-/** One of some ids or none; a function tells those of a list that may grow. @param {string[] | (() => string[])} ids @returns {Field} */
+/** One of some ids or none. @param {string[] | (() => string[])} ids @returns {Field} */
 export function optional(ids) {
   return {
     default: null,
