@@ -30,6 +30,7 @@ LIBRARIES = (
     Library("usd-core", "26.11", "usd_check.py", ("usd",)),
     Library("mitsuba", "3.9.1", "mitsuba_check.py", ("mitsuba",)),
     Library("gltf-validator", "2.0.0-dev.3.10", "gltf_check.mjs", ("gltf",), python=None),
+    Library("pyluxcore", "2.11.2", "luxcore_check.py", ("luxcore",)),
     Library("bpy", "5.2.3", "blender_check.py", ("blender",), python="3.13"),
 )
 

