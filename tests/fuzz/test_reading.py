@@ -213,14 +213,15 @@ LARGEST = {
     ),
 }
 CHILD = """
-import resource, sys
+from pathlib import Path
 from app.answers.materials.reading import read_material
 from app.optics.errors import OpticsError
 try:
     read_material([({name!r}, {content})])
 except OpticsError:
     pass
-print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024)
+peak = Path("/proc/self/status").read_text().split("VmHWM:")[1].split()[0]
+print(int(peak) // 1024)
 """
 
 
