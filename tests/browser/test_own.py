@@ -117,6 +117,7 @@ def test_a_pasted_table_is_read_and_axe_finds_nothing(quiet_page: Page) -> None:
     expect(sheet).to_contain_text("decimal = ,")
     for scheme in ("light", "dark"):
         page.emulate_media(color_scheme=scheme)
+        page.wait_for_timeout(500)  # colors change over a moment
         page.evaluate(AXE.read_text("utf-8"))
         found = page.evaluate("() => axe.run('dialog')")
         assert [one["id"] for one in found["violations"]] == []
