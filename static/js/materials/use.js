@@ -36,7 +36,10 @@ const SHOWN = 4;
 export function typed(value) {
   if (typeof value === "number") return plain(value);
   if (typeof value === "string") return value.length > 40 ? `${value.slice(0, 32)}…` : value;
-  const first = value.slice(0, SHOWN).map((x) => plain(x)).join(", ");
+  const first = value
+    .slice(0, SHOWN)
+    .map((x) => plain(x))
+    .join(", ");
   return value.length > SHOWN ? `${first}, … (${value.length} numbers)` : first;
 }
 
