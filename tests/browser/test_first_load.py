@@ -9,6 +9,8 @@ from playwright.sync_api import Page
 from tests.browser.explore_page import opened
 
 MOST_BYTES = 120_000  # with their headers, besides Plotly and KaTeX
+MOST_LATER = 10_000  # what a gesture is drawn from, fetched a second after the first picture
+LATER = ("/kernels.js", "/js/kernels/")
 
 
 def test_it_is_small(page: Page) -> None:
@@ -30,10 +32,12 @@ def test_it_is_small(page: Page) -> None:
 
     sent = {paths[request]: size for request, size in sizes.items()}
     assert {"/", "/js/main.js", "/css/base.css", "/api/v1/curves"} <= sent.keys()
+    later = {path: size for path, size in sent.items() if path.startswith(LATER)}
+    assert sum(later.values()) < MOST_LATER, later
     own = {
         path: size
         for path, size in sent.items()
-        if not path.startswith(("/vendor/plotly", "/vendor/katex"))
+        if not path.startswith(("/vendor/plotly", "/vendor/katex", *LATER))
     }
     total = sum(own.values())
     assert total < MOST_BYTES, sorted(own.items(), key=lambda item: -item[1])[:20]
