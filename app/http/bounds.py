@@ -158,7 +158,9 @@ class _Unread(Exception):
 
 def _announces_body(scope: Scope) -> bool:
     """Whether a request says that it has a body; an offer of another protocol may have cost it."""
-    return any(name == b"content-length" and value != b"0" for name, value in scope["headers"])
+    headers = dict(scope["headers"])
+    in_chunks = b"transfer-encoding" in headers and b"upgrade" in headers
+    return in_chunks or headers.get(b"content-length", b"0") != b"0"
 
 
 def _is_large(start: Message) -> bool:

@@ -4,7 +4,7 @@ import json
 import shutil
 import socket
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from http.client import HTTPResponse
 from pathlib import Path
 from typing import Any
@@ -55,6 +55,11 @@ def post(offer: bytes, body: bytes = BODY) -> bytes:
     return head + offer + b"Content-Length: %d\r\n\r\n" % len(body) + body
 
 
+def post_in_chunks(offer: bytes) -> bytes:
+    head, _, _ = post(offer).partition(b"Content-Length")
+    return head + b"Transfer-Encoding: chunked\r\n\r\n%x\r\n%b\r\n0\r\n\r\n" % (len(BODY), BODY)
+
+
 def answered(connection: socket.socket) -> tuple[int, Any]:
     answer = HTTPResponse(connection)
     answer.begin()
@@ -87,12 +92,15 @@ def test_a_get_with_an_offer_is_answered(address: Address) -> None:
             assert answered(connection)[0] == 200
 
 
-def test_an_offer_on_a_connection_in_use_loses_nothing_unsaid(address: Address) -> None:
+@pytest.mark.parametrize("posted", [post, post_in_chunks])
+def test_an_offer_on_a_connection_in_use_loses_nothing_unsaid(
+    address: Address, posted: Callable[[bytes], bytes]
+) -> None:
     """Its body may be lost then; the client is told to send it again, on another connection."""
     with socket.create_connection(address, PATIENCE_S) as connection:
         connection.sendall(post(b""))
         assert answered(connection)[0] == 200
-        connection.sendall(post(OFFERS["as Java"]))
+        connection.sendall(posted(OFFERS["as Java"]))
         status, answer = answered(connection)
         if status == 503:
             assert "send both again" in answer["detail"]
