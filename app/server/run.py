@@ -3,7 +3,6 @@
 import contextlib
 import ipaddress
 import os
-import shutil
 import signal
 import socket
 import sys
@@ -11,14 +10,16 @@ import tempfile
 from collections.abc import Callable, Iterator
 from functools import partial
 from multiprocessing import parent_process
+from pathlib import Path
 from typing import Any, Literal, NoReturn
 
 import uvicorn
 
 from app.server.observe.lines import log_errors
-from app.server.observe.metrics import SHARED
+from app.server.observe.metrics import SHARED, leave
 from app.server.offers import ByOffer, say_nothing_of_offers
 from app.server.parent import when_parent_is_gone
+from app.server.stragglers import Stragglers
 from app.server.workers import Supervisor
 from app.settings import Settings
 
@@ -81,9 +82,11 @@ def _bind(settings: Settings) -> socket.socket:
 
 def _answer(settings: Settings, bound: socket.socket, tick: Callable[[], None]) -> None:
     """Answer at a socket; `tick` is called every second from when it is listened on."""
+    stragglers = Stragglers(settings.write_timeout_s)
 
     async def notify() -> None:
         tick()
+        stragglers.end(one.transport for one in tuple(server.server_state.connections))
 
     told: dict[str, Any] = {"callback_notify": notify, "timeout_notify": 1}
     server = uvicorn.Server(configuration(_APP, settings, factory=True, **told))
@@ -113,7 +116,7 @@ def _work(settings: Settings, bound: socket.socket, send_word: Callable[[], None
     _answer(settings, bound, send_word)
     supervisor = parent_process()
     if supervisor is not None and not supervisor.is_alive():
-        shutil.rmtree(os.environ[SHARED], ignore_errors=True)  # which nobody else does then
+        leave(Path(os.environ[SHARED]))  # which nobody else removes then
     _end()
 
 

@@ -173,6 +173,33 @@ def test_workers_and_what_they_hold_go_with_their_supervisor(tmp_path: Path) -> 
     assert folders_in_memory() <= before
 
 
+def test_what_a_worker_holds_as_the_supervisor_is_killed_is_counted_and_logged(
+    tmp_path: Path,
+) -> None:
+    before = folders_in_memory()
+    with serving(tmp_path, "--workers", "2") as served, ThreadPoolExecutor(1) as client:
+        asked = client.submit(served.ask, SLOW.format(500))
+        time.sleep(0.1)
+        workers = children(served.process.pid)
+        served.process.kill()
+        assert asked.result().status == 200
+        wait_for(lambda: not workers & {pid for pid in workers if Path(f"/proc/{pid}").exists()})
+        assert [line for line in served.logged() if "/errors/map" in str(line["target"])]
+        assert "Traceback" not in (tmp_path / "stderr").read_text("utf-8")
+    assert folders_in_memory() <= before
+
+
+@pytest.mark.parametrize("parser", ["h11", "httptools"])
+def test_an_answer_that_is_not_read_gives_its_connection_back(tmp_path: Path, parser: str) -> None:
+    limits = {"FRESNEL_WRITE_TIMEOUT_S": "1", "FRESNEL_MAX_CONNECTIONS": "1"}
+    with serving(tmp_path, FRESNEL_HTTP=parser, **limits) as served, socket.socket() as client:
+        client.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        client.connect(served.address)
+        client.sendall(f"GET {SLOW.format(500)} HTTP/1.1\r\nHost: x\r\n\r\n".encode())
+        wait_for(lambda: not answers(served, f"{API}/health/live"))
+        wait_for(lambda: answers(served, f"{API}/health/live"), 30.0)
+
+
 def test_a_worker_that_is_killed_loses_what_it_held_and_no_more(tmp_path: Path) -> None:
     with serving(tmp_path, "--workers", "2") as served:
         connections = {f"c-{i}": served.connect() for i in range(24)}

@@ -2,6 +2,7 @@
 
 import os
 from pathlib import Path
+from shutil import rmtree
 
 from prometheus_client import (
     CollectorRegistry,
@@ -108,13 +109,33 @@ class Metrics:
         return generate_latest(everyone)
 
 
+def leave(shared: Path) -> None:
+    """Count no more in the workers' folder, and remove it if no other worker does.
+
+    Each takes its own files away before it looks for others': the last one finds none.
+    """
+    for file in shared.glob(f"*_{os.getpid()}.db"):
+        file.unlink(missing_ok=True)
+    if not any(_runs(_worker(file)) for file in shared.glob("*_*.db")):
+        rmtree(shared, ignore_errors=True)
+
+
+def _worker(file: Path) -> int:
+    return int(file.stem.rpartition("_")[2])
+
+
+def _runs(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except PermissionError:
+        pass  # it lives, under another user
+    return True
+
+
 def _forget_dead_workers(shared: Path) -> None:
     """Drop what killed workers had in flight; what they counted stays, for counters never fall."""
     for file in shared.glob("gauge_live*_*.db"):
-        pid = int(file.stem.rpartition("_")[2])
-        try:
-            os.kill(pid, 0)
-        except ProcessLookupError:
-            mark_process_dead(pid, path=str(shared))  # type: ignore[no-untyped-call]
-        except PermissionError:
-            continue  # it lives, under another user
+        if not _runs(_worker(file)):
+            mark_process_dead(_worker(file), path=str(shared))  # type: ignore[no-untyped-call]
