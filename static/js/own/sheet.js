@@ -1,5 +1,6 @@
 /** The sheet where a file or a table of n and k becomes a material: what was assumed, and n and k. */
 
+import { NEGLIGIBLE } from "../media/media.js";
 import { significant } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { addressOf, follow } from "../page/links.js";
@@ -24,7 +25,6 @@ const CONTROLS = [
 const PASTED = "pasted.txt";
 const WIDTH = 480;
 const HEIGHT = 150;
-const NEGLIGIBLE = 1e-6;
 
 /** @type {Promise<unknown> | undefined} */
 let styled;
