@@ -113,10 +113,12 @@ def _work(settings: Settings, bound: socket.socket, send_word: Callable[[], None
     """Answer in a worker's process, and stop when its supervisor is gone."""
     log_errors()
     when_parent_is_gone(lambda: os.kill(os.getpid(), signal.SIGINT))
-    _answer(settings, bound, send_word)
-    supervisor = parent_process()
-    if supervisor is not None and not supervisor.is_alive():
-        leave(Path(os.environ[SHARED]))  # which nobody else removes then
+    try:
+        _answer(settings, bound, send_word)
+    finally:
+        supervisor = parent_process()
+        if supervisor is not None and not supervisor.is_alive():
+            leave(Path(os.environ[SHARED]))  # which nobody else removes then
     _end()
 
 

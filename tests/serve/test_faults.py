@@ -191,8 +191,15 @@ def test_what_a_worker_holds_as_the_supervisor_is_killed_is_counted_and_logged(
 
 @pytest.mark.parametrize("parser", ["h11", "httptools"])
 def test_an_answer_that_is_not_read_gives_its_connection_back(tmp_path: Path, parser: str) -> None:
-    limits = {"FRESNEL_WRITE_TIMEOUT_S": "1", "FRESNEL_MAX_CONNECTIONS": "1"}
-    with serving(tmp_path, FRESNEL_HTTP=parser, **limits) as served, socket.socket() as client:
+    with (
+        serving(
+            tmp_path,
+            FRESNEL_HTTP=parser,
+            FRESNEL_WRITE_TIMEOUT_S="1",
+            FRESNEL_MAX_CONNECTIONS="1",
+        ) as served,
+        socket.socket() as client,
+    ):
         client.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         client.connect(served.address)
         client.sendall(f"GET {SLOW.format(500)} HTTP/1.1\r\nHost: x\r\n\r\n".encode())
