@@ -193,8 +193,8 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         recommend.router(registry),
         convert.router(),
         albedo.router(registry),
+        reading.router(pool, settings.max_body_bytes),  # before materials, whose ids are any word
         materials.router(registry),
-        reading.router(pool, settings.max_body_bytes),
         shaders.router(registry),
         lut.router(registry),
         engines.router(registry),

@@ -136,6 +136,8 @@ def error_map(chosen: Chosen, fixed: Interface, x: Axis, y: Axis, metric: MapMet
     def anywhere(x_values: Array, y_values: Array) -> Array:
         return at({x.name: x_values, y.name: y_values})
 
+    # The grid first: one of more nodes than a call may take is refused before anything is sought.
+    values = np.ascontiguousarray(at(Grid(fixed, x, y).varied))
     ends = [(float(axis.values[0]), float(axis.values[-1])) for axis in (x, y)]
     found = None if metric.endswith("_deg") else summit(anywhere, *ends)
     return ErrorMap(
@@ -144,6 +146,6 @@ def error_map(chosen: Chosen, fixed: Interface, x: Axis, y: Axis, metric: MapMet
         metric=metric,
         x=x,
         y=y,
-        values=np.ascontiguousarray(at(Grid(fixed, x, y).varied)),
+        values=values,
         largest=found and LargestError(value=found.value, x=found.x, y=found.y),
     )
