@@ -2,6 +2,7 @@
 
 import { angle, significant } from "../numbers/format.js";
 import { h } from "../page/dom.js";
+import { addressOf } from "../page/links.js";
 import { html, nothing, render } from "../page/lit.js";
 import { typedWords } from "./answers.js";
 
@@ -27,7 +28,7 @@ export function createTable({ catalog: { models } }) {
       <td>${where(curve.error, metal, state)}</td>
       <td>${
         model && curve.model_error
-          ? html`<a href="?view=compare&against=${model.id}">${model.title}</a>, within
+          ? html`<a href=${addressOf("compare", { against: model.id })}>${model.title}</a>, within
             ${where(curve.model_error, metal, state)}`
           : nothing
       }</td>
