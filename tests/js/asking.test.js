@@ -119,6 +119,23 @@ test("what can wait is given up for a newer question", () => {
   assert.deepEqual(log, ["answer", "cancelled"]);
 });
 
+test("what can wait is asked again after it was given up at rest", () => {
+  const { asking, page, asked, answer, last } = setting();
+  page.wanted = { curves: "/curves" };
+  page.later = { red: "/red", blue: "/blue" };
+  asking.ask();
+  answer("/curves", {});
+  answer("/red", {});
+  page.wanted = { curves: "/curves?2" };
+  page.later = { blue: "/blue?2", red: "/red?2" };
+  asking.ask(); // while blue is on its way
+  assert.deepEqual(asked(), ["/curves", "/red", "/blue", "/curves?2"]);
+  answer("/curves?2", {});
+  assert.equal(last(), "/blue?2");
+  answer("/blue?2", {});
+  assert.equal(last(), "/red?2");
+});
+
 test("a problem stays until its question is answered", () => {
   const { asking, fail, answer, log } = setting();
   asking.ask();

@@ -411,8 +411,10 @@ export function createAsking({
       const asked = questions();
       if (!asked) return;
       wanted = asked.wanted;
-      later = moving() ? [] : Object.entries(asked.later);
+      // Nothing is asked anew before all that is late is given up, or it would be given up too.
+      later = [];
       for (const name of late) if (busy.has(name)) runner(name).cancel();
+      later = moving() ? [] : Object.entries(asked.later);
       // What is not asked any more cannot recover.
       if (!moving()) {
         const names = new Set([...Object.keys(wanted), ...later.map(([name]) => name)]);
