@@ -60,6 +60,11 @@ def polynomial(normal: Number, mu: Number) -> Array:
     return np.asarray(normal + (1.0 - normal) * fifth_power(mu))
 
 
+def exponential(normal: Number, mu: Number) -> Array:
+    """The same with 2^((-5.55473 mu - 6.98316) mu) in place of the fifth power."""
+    return np.asarray(normal + (1.0 - normal) * np.exp2((-5.55473 * mu - 6.98316) * mu))
+
+
 def dip(mu: Array) -> Array:
     """Hoffman's dip mu (1 - mu)^6, largest at mu = 1/7."""
     g = 1.0 - mu

@@ -157,9 +157,10 @@ def inside(surface: CoatedSurface, film_n: Array) -> tuple[Array, Array]:
     return np.asarray(np.sqrt(np.maximum(cos2, 0.0))), np.asarray(cos2 < 0.0)
 
 
-def schlick(F0: Array, cos: Array) -> Array:
-    """Schlick's curve with F90 = 1."""
-    return np.asarray(F0 + (1.0 - F0) * (1.0 - cos) ** 5)
+def faded(surface: CoatedSurface, whole_at_nm: float) -> Array:
+    """Index of the film, going smoothly to 1 as the thickness goes from `whole_at_nm` to 0."""
+    share = np.clip(surface.thickness_nm / whole_at_nm, 0.0, 1.0)
+    return np.asarray(1.0 + (surface.film_n - 1.0) * share * share * (3.0 - 2.0 * share))
 
 
 def index_of(F0: Array) -> Array:

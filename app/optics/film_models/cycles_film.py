@@ -13,6 +13,7 @@ from app.optics.film_models import (
     FilmModel,
     Sensitivity,
     airy,
+    faded,
     inside,
 )
 from app.optics.parameters import Array
@@ -56,8 +57,7 @@ def _amplitudes(cos: Array, cos2: Array, n: Array) -> tuple[Array, Array]:
 
 def coated(surface: CoatedSurface, sensitivity: Sensitivity) -> Array:
     """Each polarization by itself with its phase, three orders."""
-    share = np.clip(surface.thickness_nm / _WHOLE_AT_NM, 0.0, 1.0)
-    film_n = 1.0 + (surface.film_n - 1.0) * share * share * (3.0 - 2.0 * share)
+    film_n = faded(surface, _WHOLE_AT_NM)
     cos2, kept_out = inside(surface, film_n)
     difference = 2.0 * film_n * surface.thickness_nm * cos2
     N = surface.n + 1j * surface.k

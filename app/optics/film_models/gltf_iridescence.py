@@ -8,11 +8,13 @@ from app.optics.film_models import (
     FilmModel,
     Sensitivity,
     airy,
+    faded,
     gaussian_xyz,
     index_of,
     inside,
 )
 from app.optics.parameters import Array
+from app.optics.specular import exponential
 
 _TO_REC709 = np.array(
     [
@@ -24,25 +26,18 @@ _TO_REC709 = np.array(
 _WHOLE_AT_NM = 0.03
 
 
-def schlick_exp2(F0: Array, cos: Array) -> Array:
-    """Schlick's curve with a power of two in place of the fifth power, as three.js has it."""
-    weight = np.exp2((-5.55473 * cos - 6.98316) * cos)
-    return np.asarray(F0 * (1.0 - weight) + weight)
-
-
 def iridescence(surface: CoatedSurface, sensitivity: Sensitivity) -> Array:
     """Schlick's curve at both faces, of real indices that F0 gives; two orders, no polarization."""
-    share = np.clip(surface.thickness_nm / _WHOLE_AT_NM, 0.0, 1.0)
-    film_n = 1.0 + (surface.film_n - 1.0) * share * share * (3.0 - 2.0 * share)
+    film_n = faded(surface, _WHOLE_AT_NM)
     cos2, kept_out = inside(surface, film_n)
-    R12 = schlick_exp2(((film_n - 1.0) / (film_n + 1.0)) ** 2, surface.cos)
+    R12 = exponential(((film_n - 1.0) / (film_n + 1.0)) ** 2, surface.cos)
     base_n = index_of(surface.F0)
-    R23 = schlick_exp2(((base_n - film_n) / (base_n + film_n)) ** 2, cos2)
+    R23 = exponential(((base_n - film_n) / (base_n + film_n)) ** 2, cos2)
     phase = np.where(film_n < 1.0, 0.0, np.pi) + np.where(base_n < film_n, np.pi, 0.0)
     difference = 2.0 * film_n * surface.thickness_nm * cos2
     coated = airy(R12, R23, phase, difference, sensitivity, 2, (1e-5, 0.9999))
     coated = np.where(kept_out, 1.0, coated)
-    return np.where(surface.thickness_nm > 0.0, coated, schlick_exp2(surface.F0, surface.cos))
+    return np.where(surface.thickness_nm > 0.0, coated, exponential(surface.F0, surface.cos))
 
 
 def _rec709(difference: Array, phase: Array) -> Array:

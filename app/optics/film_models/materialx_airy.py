@@ -1,5 +1,7 @@
 """The film of MaterialX's dielectric_bsdf and conductor_bsdf."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from app.optics.film_models import (
@@ -12,6 +14,7 @@ from app.optics.film_models import (
     inside,
 )
 from app.optics.parameters import Array
+from app.optics.real import Rp, Rs
 
 TO_RGB = np.array(
     [
@@ -22,19 +25,6 @@ TO_RGB = np.array(
 )
 """CIE RGB of XYZ, as MaterialX has it: neither the primaries nor the white of sRGB."""
 ORDERS = 2
-
-
-def fresnel(cos: Array, n: Array, k: Array) -> tuple[Array, Array]:
-    """Rs and Rp of a boundary, by relative indices."""
-    cos2 = cos * cos
-    sin2 = 1.0 - cos2
-    t0 = n * n - k * k - sin2
-    a2_b2 = np.sqrt(t0 * t0 + 4.0 * n * n * k * k)
-    t1 = a2_b2 + cos2
-    t2 = 2.0 * np.sqrt(np.maximum(0.5 * (a2_b2 + t0), 0.0)) * cos
-    Rs = (t1 - t2) / (t1 + t2)
-    t3, t4 = cos2 * a2_b2 + sin2 * sin2, t2 * sin2
-    return np.asarray(Rs), np.asarray(Rs * (t3 - t4) / (t3 + t4))
 
 
 def _phases(cos: Array, film_n: Array, n: Array, k: Array) -> tuple[Array, Array]:
@@ -52,25 +42,51 @@ def _phases(cos: Array, film_n: Array, n: Array, k: Array) -> tuple[Array, Array
     return np.asarray(s), np.asarray(p)
 
 
-def brewster(film_n: Array) -> Array:
-    """Cosine of Brewster's angle of the upper face, where p changes its sign."""
-    return np.asarray(1.0 / np.sqrt(1.0 + film_n * film_n))
+Face = tuple[tuple[Array, Array], tuple[Array, Array]]
+"""Reflectance and phase, of s and of p."""
+
+
+def under_film(
+    surface: CoatedSurface,
+    sensitivity: Sensitivity,
+    lower: Callable[[Array, Array], Face],
+) -> Array:
+    """Mean of s and p of a film, two orders.
+
+    Parameters
+    ----------
+    surface, sensitivity
+        As a model's function has them.
+    lower
+        The lower face, by the film's index and the cosine inside.
+    """
+    film_n = np.maximum(surface.film_n, 1.0)
+    cos2, _ = inside(surface, film_n)
+    difference = 2.0 * film_n * cos2 * surface.thickness_nm
+    clear = np.zeros(())
+    # At Brewster's angle of the upper face p changes its sign.
+    brewster = 1.0 / np.sqrt(1.0 + film_n * film_n)
+    above = np.where(surface.cos < brewster, 0.0, np.pi)
+    (R23_s, phase_s), (R23_p, phase_p) = lower(film_n, cos2)
+    total = sum(
+        airy(R12(surface.cos, film_n, clear), R23, phase, difference, sensitivity, ORDERS)
+        for R12, R23, phase in (
+            (Rs, R23_s, np.pi + phase_s),
+            (Rp, R23_p, above + phase_p),
+        )
+    )
+    return np.asarray(0.5 * total)
 
 
 def coated(surface: CoatedSurface, sensitivity: Sensitivity) -> Array:
     """Each polarization by itself with its phase, two orders."""
-    film_n = np.maximum(surface.film_n, 1.0)
-    cos2, _ = inside(surface, film_n)
-    difference = 2.0 * film_n * cos2 * surface.thickness_nm
-    upper = fresnel(surface.cos, film_n, np.zeros(()))
-    lower = fresnel(cos2, surface.n / film_n, surface.k / film_n)
-    s, p = _phases(cos2, film_n, surface.n, surface.k)
-    above = np.where(surface.cos < brewster(film_n), 0.0, np.pi)
-    total = sum(
-        airy(R12, R23, phase, difference, sensitivity, ORDERS)
-        for R12, R23, phase in zip(upper, lower, (s + np.pi, p + above), strict=True)
-    )
-    return np.asarray(0.5 * total)
+
+    def lower(film_n: Array, cos2: Array) -> Face:
+        eta, kappa = surface.n / film_n, surface.k / film_n
+        s, p = _phases(cos2, film_n, surface.n, surface.k)
+        return (Rs(cos2, eta, kappa), s), (Rp(cos2, eta, kappa), p)
+
+    return under_film(surface, sensitivity, lower)
 
 
 MODEL = FilmModel(

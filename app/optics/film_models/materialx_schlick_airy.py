@@ -7,31 +7,23 @@ from app.optics.film_models import (
     Deviation,
     FilmModel,
     Sensitivity,
-    airy,
     gaussian_xyz,
     index_of,
-    inside,
-    schlick,
 )
-from app.optics.film_models.materialx_airy import ORDERS, TO_RGB, brewster, fresnel
+from app.optics.film_models.materialx_airy import TO_RGB, Face, under_film
 from app.optics.parameters import Array
+from app.optics.specular import polynomial
 
 
 def coated(surface: CoatedSurface, sensitivity: Sensitivity) -> Array:
     """Half of Schlick's curve for each polarization of the lower face, and half of their sum."""
-    film_n = np.maximum(surface.film_n, 1.0)
-    cos2, _ = inside(surface, film_n)
-    difference = 2.0 * film_n * cos2 * surface.thickness_nm
-    below = np.where(index_of(surface.F0) < film_n, np.pi, 0.0)
-    above = np.where(surface.cos < brewster(film_n), 0.0, np.pi)
-    half = 0.5 * schlick(surface.F0, cos2)
-    total = sum(
-        airy(R12, half, below + phase, difference, sensitivity, ORDERS)
-        for R12, phase in zip(
-            fresnel(surface.cos, film_n, np.zeros(())), (np.pi, above), strict=True
-        )
-    )
-    return np.asarray(0.5 * total)
+
+    def lower(film_n: Array, cos2: Array) -> Face:
+        half = 0.5 * polynomial(surface.F0, cos2)
+        phase = np.where(index_of(surface.F0) < film_n, np.pi, 0.0)
+        return (half, phase), (half, phase)
+
+    return under_film(surface, sensitivity, lower)
 
 
 MODEL = FilmModel(

@@ -1,15 +1,12 @@
 """Schlick with the fifth power replaced by an exponential of base 2."""
 
-import numpy as np
-
 from app.optics.models import Array, Cost, Incidence, Interface, Measured, Model
-from app.optics.specular import F0_PARAMETER, SOLVE_F0, no_critical_angle
+from app.optics.specular import F0_PARAMETER, SOLVE_F0, exponential, no_critical_angle
 
 
 def spherical_gaussian(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
     """F0 + (1 - F0) 2^((-5.55473 mu - 6.98316) mu)."""
-    mu = incidence.cos
-    return np.asarray(F0 + (1.0 - F0) * np.exp2((-5.55473 * mu - 6.98316) * mu))
+    return exponential(F0, incidence.cos)
 
 
 MODEL = Model(
