@@ -57,13 +57,18 @@ class Mode:
     title: str
     parameters: Callable[[Surface], dict[str, Typed]]
     """What is typed, by the target's own names."""
-    write: Callable[[Surface], File]
+    write: Callable[[Surface, dict[str, Typed]], File]
+    """Writes what is typed."""
     curve: Curve
     basis: Basis
     lost: tuple[str, ...] = ()
     """Sentences on what the target does not know of the material."""
     takes_above_1: bool = True
     """Whether colors above 1 are legal there."""
+
+    def file(self, surface: Surface) -> File:
+        """Write a material."""
+        return self.write(surface, self.parameters(surface))
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,6 +134,8 @@ def _gray(R: Array) -> Array:
     return np.broadcast_to(R, (ANGLES_DEG.size, 3))
 
 
+PAIRS = "The spectrum becomes three fitted pairs of n and k"
+TINT = "The color at 0 and 82 degrees is kept, and what lies between is a fit"
 DISPERSION = "One index stands for all wavelengths: dispersion is lost"
 ABSORPTION = "What the medium absorbs on the way through is not exported"
 """Sentences that several targets share."""

@@ -124,7 +124,7 @@ def exported_file(
 ) -> File:
     """Write a material for a target; parameters and errors as `export`."""
     surface = Surface(preset, policy, space)
-    return chosen_mode(surface, to, mode).write(surface)
+    return chosen_mode(surface, to, mode).file(surface)
 
 
 def export(
@@ -152,7 +152,8 @@ def export(
     """
     surface = Surface(preset, policy, space)
     target, chosen = TARGETS[to], chosen_mode(surface, to, mode)
-    file, curve, truth = chosen.write(surface), chosen.curve(surface), surface.truth
+    typed = chosen.parameters(surface)
+    file, curve, truth = chosen.write(surface, typed), chosen.curve(surface), surface.truth
     error = SpectralError.of(curve, truth, space, DAYLIGHT)
     lost = [*chosen.lost]
     if target.spaces[space]:
@@ -170,7 +171,7 @@ def export(
         policy=policy,
         space=space,
         files=[ExportedFile(name=file.name, text=file.text)],
-        parameters=chosen.parameters(surface),
+        parameters=typed,
         lost=[f"{sentence}." for sentence in lost],
         error=filled(ExportError, error, measured_with=MeasuredWith.of(chosen.basis)),
         theta_i_deg=np.array(SHOWN_DEG),

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from app.export.surface import Surface, Typed
 from app.export.target import (
     ABSORPTION,
     DISPERSION,
+    PAIRS,
+    TINT,
     Basis,
     File,
     Mode,
@@ -50,7 +54,7 @@ def _clear(surface: Surface) -> dict[str, Typed]:
 
 
 def _write(
-    surface: Surface, node: str, typed: dict[str, Typed], fresnel: str | None = None
+    node: str, surface: Surface, typed: dict[str, Typed], *, fresnel: str | None = None
 ) -> File:
     # The inputs of Metallic BSDF are found by name only after its mode is set.
     mode = "" if fresnel is None else f'shader.fresnel_type = "{fresnel}"\n'
@@ -74,8 +78,6 @@ material.node_tree.links.new(shader.outputs["BSDF"], output.inputs["Surface"])
     return File(f"{surface.name}_blender.py", text)
 
 
-_TINT = "The color at 0 and 82 degrees is kept, and what lies between is a fit"
-
 BLENDER = Target(
     id="blender",
     title="Blender, Cycles",
@@ -85,37 +87,37 @@ BLENDER = Target(
             "conductor",
             "Metallic BSDF, Physical Conductor",
             _conductor,
-            lambda s: _write(s, _METALLIC, _conductor(s), "PHYSICAL_CONDUCTOR"),
+            partial(_write, _METALLIC, fresnel="PHYSICAL_CONDUCTOR"),
             by_pairs,
             Basis("exact", "cycles", "Metallic BSDF, Physical Conductor"),
-            ("The spectrum becomes three fitted pairs of n and k",),
+            (PAIRS,),
         ),
         Mode(
             "f82",
             "conductor",
             "Metallic BSDF, F82 Tint",
             _f82,
-            lambda s: _write(s, _METALLIC, _f82(s), "F82"),
+            partial(_write, _METALLIC, fresnel="F82"),
             by_f82,
             Basis("f82_tint", "cycles", "Metallic BSDF, F82 Tint"),
-            (_TINT,),
+            (TINT,),
         ),
         Mode(
             "principled",
             "conductor",
             "Principled BSDF, metallic",
             _metal,
-            lambda s: _write(s, _PRINCIPLED, _metal(s)),
+            partial(_write, _PRINCIPLED),
             by_f82,
             Basis("f82_tint", "cycles", "Metallic BSDF, F82 Tint"),
-            (_TINT,),
+            (TINT,),
         ),
         Mode(
             "ior",
             "dielectric",
             "Principled BSDF, transmission",
             _clear,
-            lambda s: _write(s, _PRINCIPLED, _clear(s)),
+            partial(_write, _PRINCIPLED),
             by_ior,
             Basis("exact", "cycles", "Principled BSDF"),
             (DISPERSION, ABSORPTION),

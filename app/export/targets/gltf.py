@@ -111,7 +111,7 @@ GLTF = Target(
             "conductor",
             "Metallic, base color",
             _metal,
-            lambda s: _write(s, _metal(s)),
+            _write,
             by_schlick,
             Basis("schlick", "three", "color"),
             (
@@ -125,7 +125,7 @@ GLTF = Target(
             "dielectric",
             "KHR_materials_ior, transmission",
             _clear,
-            lambda s: _write(s, _clear(s)),
+            _write,
             by_schlick_ior,
             Basis("schlick", "three", "ior"),
             (

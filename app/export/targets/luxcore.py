@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from app.export.surface import Surface, Typed, incidence
-from app.export.target import ABSORPTION, DISPERSION, Basis, File, Mode, Target, by_ior
+from app.export.target import ABSORPTION, DISPERSION, PAIRS, Basis, File, Mode, Target, by_ior
 from app.optics.parameters import Array
 
 
@@ -13,14 +13,17 @@ def _fresnel(surface: Surface) -> dict[str, Typed]:
     return {"n": surface.n, "k": surface.k}
 
 
-def _write_metal(surface: Surface) -> File:
-    n, k = (" ".join(map(repr, values)) for values in (surface.n, surface.k))
+def _write_metal(surface: Surface, typed: dict[str, Typed]) -> File:
     name = surface.name
+    numbers = (
+        f"scene.textures.{name}_fresnel.{key} = {' '.join(map(repr, values))}"
+        for key, values in typed.items()
+        if isinstance(values, list)
+    )
     return _file(
         surface,
         f'scene.textures.{name}_fresnel.type = "fresnelconst"',
-        f"scene.textures.{name}_fresnel.n = {n}",
-        f"scene.textures.{name}_fresnel.k = {k}",
+        *numbers,
         f'scene.materials.{name}.type = "metal2"',
         f'scene.materials.{name}.fresnel = "{name}_fresnel"',
         f"scene.materials.{name}.uroughness = 0.001",
@@ -32,13 +35,12 @@ def _clear(surface: Surface) -> dict[str, Typed]:
     return {"interiorior": surface.ior, "exteriorior": 1.0}
 
 
-def _write_clear(surface: Surface) -> File:
+def _write_clear(surface: Surface, typed: dict[str, Typed]) -> File:
     name = surface.name
     return _file(
         surface,
         f'scene.materials.{name}.type = "glass"',
-        f"scene.materials.{name}.interiorior = {surface.ior}",
-        f"scene.materials.{name}.exteriorior = 1.0",
+        *(f"scene.materials.{name}.{key} = {value}" for key, value in typed.items()),
     )
 
 
@@ -80,7 +82,7 @@ LUXCORE = Target(
                 "", note="the formula of LuxCore's source, which LuxCore 2.11.2 follows to 0.001"
             ),
             (
-                "The spectrum becomes three fitted pairs of n and k",
+                PAIRS,
                 "LuxCore's formula for constant n and k is an approximation, right at normal incidence",
             ),
         ),

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from app.export.surface import Surface, Typed
 from app.export.target import (
     ABSORPTION,
     DISPERSION,
+    PAIRS,
+    TINT,
     Basis,
     File,
     Mode,
@@ -59,7 +62,7 @@ def _material(root: Element, surface: Surface, shader: str) -> None:
     _input(material, "surfaceshader", "surfaceshader", "nodename", shader)
 
 
-def _bsdf(node: str, surface: Surface, parameters: Mapping[str, Typed], managed: bool) -> File:
+def _bsdf(node: str, surface: Surface, parameters: Mapping[str, Typed], *, managed: bool) -> File:
     root = _root(surface, managed)
     bsdf = SubElement(root, node, name=f"{surface.name}_bsdf", type="BSDF")
     _typed(bsdf, parameters)
@@ -124,7 +127,6 @@ _PREFILTERED = (
     "The generator's prefiltered environment, its default, shows a Schlick curve in its place; "
     "environments sampled by importance follow the node"
 )
-_TINT = "The color at 0 and 82 degrees is kept, and what lies between is a fit"
 
 MATERIALX = Target(
     id="materialx",
@@ -135,27 +137,27 @@ MATERIALX = Target(
             "conductor",
             "conductor_bsdf",
             _conductor,
-            lambda s: _bsdf("conductor_bsdf", s, _conductor(s), managed=False),
+            partial(_bsdf, "conductor_bsdf", managed=False),
             by_pairs,
             Basis("exact", "materialx", "conductor_bsdf"),
-            ("The spectrum becomes three fitted pairs of n and k", _PREFILTERED),
+            (PAIRS, _PREFILTERED),
         ),
         Mode(
             "f82",
             "conductor",
             "generalized_schlick_bsdf",
             _schlick,
-            lambda s: _bsdf("generalized_schlick_bsdf", s, _schlick(s), managed=True),
+            partial(_bsdf, "generalized_schlick_bsdf", managed=True),
             by_f82,
             Basis("f82_tint", "materialx", "generalized_schlick_bsdf"),
-            (_TINT, _PREFILTERED),
+            (TINT, _PREFILTERED),
         ),
         Mode(
             "ior",
             "dielectric",
             "dielectric_bsdf",
             _dielectric,
-            lambda s: _bsdf("dielectric_bsdf", s, _dielectric(s), managed=False),
+            partial(_bsdf, "dielectric_bsdf", managed=False),
             by_ior,
             Basis("exact", "materialx", "dielectric_bsdf"),
             (DISPERSION, ABSORPTION, _PREFILTERED),
@@ -174,17 +176,17 @@ OPENPBR = Target(
             "conductor",
             "open_pbr_surface, metal",
             _metal,
-            lambda s: _open_pbr(s, _metal(s)),
+            _open_pbr,
             by_f82,
             Basis("f82_tint", "materialx", "generalized_schlick_bsdf"),
-            (_TINT, "MaterialX's generator for OSL drops specular_color of metals"),
+            (TINT, "MaterialX's generator for OSL drops specular_color of metals"),
         ),
         Mode(
             "ior",
             "dielectric",
             "open_pbr_surface, transmission",
             _clear,
-            lambda s: _open_pbr(s, _clear(s)),
+            _open_pbr,
             by_ior,
             Basis("exact", "materialx", "dielectric_bsdf"),
             (

@@ -9,6 +9,7 @@ from app.export.surface import Surface, Typed
 from app.export.target import (
     ABSORPTION,
     DISPERSION,
+    PAIRS,
     Basis,
     File,
     Mode,
@@ -32,28 +33,25 @@ def _spectral(surface: Surface) -> dict[str, Typed]:
     return values
 
 
-def _of_spectra(surface: Surface) -> dict[str, Any]:
-    typed = _spectral(surface)
-    return {"type": "conductor"} | {
-        name: {
-            "type": "irregular",
-            "wavelengths": typed[f"{name}.wavelengths"],
-            "values": typed[f"{name}.values"],
-        }
+def _write_spectra(surface: Surface, typed: dict[str, Typed]) -> File:
+    spectra = {
+        name: {"type": "irregular"}
+        | {part: typed[f"{name}.{part}"] for part in ("wavelengths", "values")}
         for name in ("eta", "k")
     }
+    return _write(surface, {"type": typed["type"]} | spectra)
 
 
 def _rgb(surface: Surface) -> dict[str, Typed]:
     return {"type": "conductor", "eta": surface.n, "k": surface.k}
 
 
-def _of_rgb(surface: Surface) -> dict[str, Any]:
-    return {
-        "type": "conductor",
-        "eta": {"type": "rgb", "value": surface.n},
-        "k": {"type": "rgb", "value": surface.k},
+def _write_rgb(surface: Surface, typed: dict[str, Typed]) -> File:
+    bsdf = {
+        name: {"type": "rgb", "value": value} if isinstance(value, list) else value
+        for name, value in typed.items()
     }
+    return _write(surface, bsdf)
 
 
 def _clear(surface: Surface) -> dict[str, Typed]:
@@ -69,7 +67,7 @@ MITSUBA = Target(
             "conductor",
             "conductor, spectra",
             _spectral,
-            lambda s: _write(s, _of_spectra(s)),
+            _write_spectra,
             by_spectrum,
             Basis("exact", "mitsuba", "conductor"),
             (
@@ -82,11 +80,11 @@ MITSUBA = Target(
             "conductor",
             "conductor, RGB",
             _rgb,
-            lambda s: _write(s, _of_rgb(s)),
+            _write_rgb,
             by_pairs,
             Basis("exact", "mitsuba", "conductor"),
             (
-                "The spectrum becomes three fitted pairs of n and k",
+                PAIRS,
                 "For RGB variants alone: spectral ones take the numbers for reflectances",
             ),
         ),
@@ -95,7 +93,7 @@ MITSUBA = Target(
             "dielectric",
             "dielectric",
             _clear,
-            lambda s: _write(s, dict(_clear(s))),
+            _write,
             by_ior,
             Basis("exact", "mitsuba", "dielectric"),
             (DISPERSION, ABSORPTION),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from app.export.surface import Surface, Typed
 from app.export.target import ABSORPTION, Basis, File, Mode, Target, by_spectrum
 
@@ -13,7 +15,7 @@ def _parameters(surface: Surface, *quantities: str) -> dict[str, Typed]:
     }
 
 
-def _write(surface: Surface, kind: str, typed: dict[str, Typed]) -> File:
+def _write(kind: str, surface: Surface, typed: dict[str, Typed]) -> File:
     spectra = [
         f'    "spectrum {name}" [ {" ".join(f"{number:g}" for number in values)} ]'
         for name, values in typed.items()
@@ -39,7 +41,7 @@ PBRT = Target(
             "conductor",
             "conductor, spectra",
             lambda s: _parameters(s, "n", "k"),
-            lambda s: _write(s, "conductor", _parameters(s, "n", "k")),
+            partial(_write, "conductor"),
             by_spectrum,
             _BASIS,
             ("n and k are sampled every 5 nm from 360 to 830 nm",),
@@ -49,7 +51,7 @@ PBRT = Target(
             "dielectric",
             "dielectric, spectrum",
             lambda s: _parameters(s, "n"),
-            lambda s: _write(s, "dielectric", _parameters(s, "n")),
+            partial(_write, "dielectric"),
             by_spectrum,
             _BASIS,
             ("n is sampled every 5 nm from 360 to 830 nm", ABSORPTION),

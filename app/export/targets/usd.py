@@ -69,7 +69,7 @@ USD = Target(
             "conductor",
             "Specular workflow",
             _metal,
-            lambda s: _write(s, _metal(s)),
+            _write,
             by_schlick,
             Basis("schlick", "usd", "specular workflow"),
             (
@@ -82,7 +82,7 @@ USD = Target(
             "dielectric",
             "ior",
             _clear,
-            lambda s: _write(s, _clear(s)),
+            _write,
             by_schlick_ior,
             Basis("schlick", "usd", "ior"),
             (
