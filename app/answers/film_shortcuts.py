@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.answers.answer import answer
+from app.answers.answer import answer, filled
 from app.materials.appearance import Viewing
 from app.optics.color import WAVELENGTH_NM, srgb_weights
 from app.optics.errors import NotAllowed
-from app.optics.film_models import CoatedSurface, FilmModel, film_models
+from app.optics.film_models import CoatedSurface, Deviation, FilmModel, film_models
 from app.optics.films import reflectances
 from app.optics.incidence import Incidence
 from app.optics.parameters import Array
@@ -23,21 +23,6 @@ AIR = 0.001
 
 
 @answer
-class DeviationFacts:
-    """How far a shortcut is off over thickness and angle."""
-
-    film_n: float
-    n_t: float
-    k_t: float
-    """A film of film_n on a surface of n_t + i k_t, in air."""
-    max_abs: float
-    """Largest |R - exact| at 450, 550 and 650 nm."""
-    max_delta_e: float
-    """Largest CIEDE2000 of the color in daylight; all over 0 to 1000 nm and 0 to 85 degrees, by 5."""
-    mean_delta_e: float
-
-
-@answer
 class FilmModelFacts:
     """A shortcut of a renderer for one film."""
 
@@ -45,28 +30,12 @@ class FilmModelFacts:
     title: str
     reference: str
     validity: str
-    measured: list[DeviationFacts]
+    measured: tuple[Deviation, ...]
 
     @classmethod
     def of(cls, model: FilmModel) -> FilmModelFacts:
         """Describe a shortcut."""
-        return cls(
-            id=model.id,
-            title=model.title,
-            reference=model.reference,
-            validity=model.validity,
-            measured=[
-                DeviationFacts(
-                    film_n=each.film_n,
-                    n_t=each.n_t,
-                    k_t=each.k_t,
-                    max_abs=each.max_abs,
-                    max_delta_e=each.max_delta_e,
-                    mean_delta_e=each.mean_delta_e,
-                )
-                for each in model.measured
-            ],
-        )
+        return filled(cls, model)
 
 
 @answer

@@ -29,14 +29,10 @@ class Explanation:
         )
 
 
-_OPENPBR = (
-    Explanation("babylon_openpbr", way="OpenPBRMaterial", kind="dielectric"),
-    Explanation("f82_tint", way="OpenPBRMaterial"),
-)
-
 EXPLAINED: Mapping[str, tuple[Explanation, ...]] = {
     "babylon": (
-        *_OPENPBR,
+        Explanation("babylon_openpbr", way="OpenPBRMaterial", kind="dielectric"),
+        Explanation("f82_tint", way="OpenPBRMaterial"),
         Explanation("f82_tint", way="PBRMaterial, F82"),
         Explanation("schlick"),
     ),
@@ -84,11 +80,7 @@ class Departure:
 
     def told(self, engine: Engine) -> str:
         """Fill in what was measured."""
-        (curve,) = (
-            c
-            for c in engine.curves
-            if (c.medium.name, c.way, c.light) == (self.medium, self.way, self.light)
-        )
+        curve = engine.curve(self.medium, self.way, self.light)
         row = int(np.flatnonzero(engine.theta_i_deg == self.at_deg)[0])
         red = CHANNELS.index("red")
         return self.text.format(

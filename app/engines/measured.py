@@ -77,6 +77,12 @@ class Engine:
     media: tuple[Medium, ...]
     curves: tuple[Curve, ...]
 
+    def curve(self, medium: str, way: str, light: Light) -> Curve:
+        """Return the curve of a medium by its name, entered in one way, under one light."""
+        asked = (medium, way, light)
+        (found,) = (c for c in self.curves if (c.medium.name, c.way, c.light) == asked)
+        return found
+
     def exact(self, medium: Medium) -> Array:
         """Unpolarized reflectance of a medium, in rows and columns as a curve's."""
         incidence = Incidence.from_degrees(self.theta_i_deg[:, None])

@@ -1,5 +1,6 @@
 /** The picture of the paint, drawn from its geometry, and as a file with the paint that the page gives it. */
 
+import { onResize } from "../draw/resized.js";
 import { percent } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { html, render, svg } from "../page/lit.js";
@@ -74,12 +75,7 @@ export function createDrawing() {
     );
   }
 
-  let waiting = 0;
-  const observer = new ResizeObserver(() => {
-    cancelAnimationFrame(waiting);
-    waiting = requestAnimationFrame(draw);
-  });
-  observer.observe(frame);
+  const destroy = onResize(frame, draw);
 
   return {
     element: frame,
@@ -113,9 +109,6 @@ export function createDrawing() {
       const blob = new Blob([styled], { type: "image/svg+xml;charset=utf-8" });
       return format === "svg" ? blob : rasterized(blob, 2 * width, 2 * height);
     },
-    destroy() {
-      observer.disconnect();
-      cancelAnimationFrame(waiting);
-    },
+    destroy,
   };
 }

@@ -15,7 +15,7 @@ interface InterfaceOptions {
   /** Of the ids. */
   prefix: string;
   /** How each index is shown, in this order. */
-  manners: Record<string, RowManner>;
+  manners?: Record<string, RowManner>;
   describeMedia: () => Promise<void>;
 }
 

@@ -14,13 +14,6 @@ import { modelStyle } from "../models/look.js";
 import { angle } from "../numbers/format.js";
 import { h, symbol } from "../page/dom.js";
 
-/** How the indices are moved. @type {Record<string, RowManner>} */
-const MANNERS = {
-  n_i: { label: "incident index", range: [1, 3], wide: [0.1, 10] },
-  n_t: { label: "second index", range: [1, 3], wide: [0.1, 10] },
-  k_t: { label: "extinction", range: [0, 5], wide: [0, 20] },
-};
-
 /** @param {ControlsOptions} options */
 export function createControls({ catalog, presets, state, actions, describeMedia }) {
   const { rows, media } = createInterface({
@@ -29,7 +22,6 @@ export function createControls({ catalog, presets, state, actions, describeMedia
     state,
     actions,
     prefix: "",
-    manners: MANNERS,
     describeMedia,
   });
   const declared = catalog.parameters.find((p) => p.name === "theta_i_deg");

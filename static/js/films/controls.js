@@ -27,12 +27,6 @@ import { QUANTITIES } from "./fields.js";
 
 /** @typedef {import('../layers/layers.js').Layer} Layer */
 
-/** @type {Record<string, RowManner>} */
-const MANNERS = {
-  n_i: { label: "incident index", range: [1, 3], wide: [0.1, 10] },
-  n_t: { label: "second index", range: [1, 3], wide: [0.1, 10] },
-  k_t: { label: "extinction", range: [0, 5], wide: [0, 20] },
-};
 const MOST_VOLTS = 120;
 
 /** @param {ViewContext} context */
@@ -43,7 +37,6 @@ export function createControls({ catalog, presets, state, actions, describeMedia
     state,
     actions,
     prefix: "films-",
-    manners: MANNERS,
     describeMedia,
   });
   const history = (/** @type {boolean} */ moving) =>

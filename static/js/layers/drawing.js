@@ -3,6 +3,7 @@
  * slider: dragged, or moved by the keys, it changes the layer's thickness.
  */
 
+import { onResize } from "../draw/resized.js";
 import { put, px, show, svg } from "../draw/svg.js";
 import { angle, percent, plain } from "../numbers/format.js";
 import { h, setText } from "../page/dom.js";
@@ -263,12 +264,7 @@ export function createDrawing(onMove, onSettle) {
     frame.ariaDescription = `${angle(now.theta_i_deg, now.angle)}; reflected ${percent(R)}`;
   }
 
-  let waiting = 0;
-  const observer = new ResizeObserver(() => {
-    cancelAnimationFrame(waiting);
-    waiting = requestAnimationFrame(draw);
-  });
-  observer.observe(frame);
+  const destroy = onResize(frame, draw);
 
   return {
     element: frame,
@@ -283,9 +279,6 @@ export function createDrawing(onMove, onSettle) {
       pressed = null;
       draw();
     },
-    destroy() {
-      observer.disconnect();
-      cancelAnimationFrame(waiting);
-    },
+    destroy,
   };
 }

@@ -176,6 +176,13 @@ export function canBeIncident({ k }) {
   return (k ?? 0) < NEGLIGIBLE;
 }
 
+/** How the indices are moved, unless a view has its own ranges. @type {Record<string, RowManner>} */
+const MANNERS = {
+  n_i: { label: "incident index", range: [1, 3], wide: [0.1, 10] },
+  n_t: { label: "second index", range: [1, 3], wide: [0.1, 10] },
+  k_t: { label: "extinction", range: [0, 5], wide: [0, 20] },
+};
+
 /** The rows of the indices, and the media as presets. @param {InterfaceOptions} options */
 export function createInterface({
   catalog,
@@ -183,7 +190,7 @@ export function createInterface({
   state,
   actions,
   prefix,
-  manners,
+  manners = MANNERS,
   describeMedia,
 }) {
   const { materials } = catalog;

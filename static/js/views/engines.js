@@ -6,7 +6,7 @@ import { angleAxis } from "../curves/reading.js";
 import { channelOf, curvesOf, mediumOf } from "../engines/answers.js";
 import { engineFields } from "../engines/fields.js";
 import { createTable } from "../engines/table.js";
-import { errorRange } from "../errors/traces.js";
+import { errorRange, errorTraces } from "../errors/traces.js";
 import { inDegrees, inUnit, significant } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
 import { h, setText } from "../page/dom.js";
@@ -149,15 +149,7 @@ export function createView(context) {
         y: channelOf(curve.reflectance, now),
         .../** @type {{color: string, dash: string}} */ (LOOKS[i % LOOKS.length]),
       }));
-      const errors = ways.map((way) => ({
-        ...way,
-        unit: relative ? " %" : "",
-        y: way.y.map((value, i) => {
-          const right = /** @type {number} */ (y[i]);
-          if (relative && right === 0) return null;
-          return relative ? (100 * (value - right)) / right : value - right;
-        }),
-      }));
+      const errors = errorTraces([exact, ...ways], relative);
       const most = Math.max(1, ...ways.flatMap((way) => way.y));
       return {
         upper: {
@@ -169,6 +161,7 @@ export function createView(context) {
         },
         lower: {
           traces: errors,
+          read: errors.filter((t) => t.id !== "exact"),
           axes: () => ({
             x: axis,
             y: {

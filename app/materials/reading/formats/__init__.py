@@ -3,8 +3,6 @@
 What the file of a format needs is imported from here.
 """
 
-import numpy as np
-
 from app.materials.reading.columns import by_hand, by_number, columns_named, unit_in
 from app.materials.reading.constants import Table, decided_unit
 from app.materials.reading.document import Document
@@ -28,6 +26,5 @@ __all__ = [
     "columns_named",
     "decided_unit",
     "layout_of",
-    "np",
     "unit_in",
 ]

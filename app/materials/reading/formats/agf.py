@@ -4,6 +4,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 
+import numpy as np
+
 from app.materials.dispersion import refractive_index
 from app.materials.reading.formats import (
     Content,
@@ -13,7 +15,6 @@ from app.materials.reading.formats import (
     Table,
     Undecided,
     Unreadable,
-    np,
 )
 from app.materials.schema import Formula
 

@@ -3,6 +3,8 @@
 import re
 from collections.abc import Sequence
 
+import numpy as np
+
 from app.materials.reading.formats import (
     Content,
     Document,
@@ -13,7 +15,6 @@ from app.materials.reading.formats import (
     blocks_of,
     decided_unit,
     layout_of,
-    np,
 )
 from app.materials.reading.units import units_named
 

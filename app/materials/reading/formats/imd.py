@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from app.materials.reading.formats import (
     Block,
     Content,
@@ -13,7 +15,6 @@ from app.materials.reading.formats import (
     blocks_of,
     decided_unit,
     layout_of,
-    np,
 )
 
 _COLUMNS = 3

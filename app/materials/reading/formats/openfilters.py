@@ -3,6 +3,8 @@
 import re
 from collections.abc import Sequence
 
+import numpy as np
+
 from app.materials.reading.formats import (
     Content,
     Document,
@@ -11,7 +13,6 @@ from app.materials.reading.formats import (
     Table,
     Unreadable,
     decided_unit,
-    np,
 )
 
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"

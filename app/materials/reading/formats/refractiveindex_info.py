@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from decimal import Decimal, InvalidOperation
 from typing import Any
 
+import numpy as np
 import yaml
 
 from app.materials.dispersion import check_coefficients
@@ -15,7 +16,6 @@ from app.materials.reading.formats import (
     Table,
     Unreadable,
     decided_unit,
-    np,
 )
 from app.materials.schema import Formula
 from app.optics.errors import NotAllowed

@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from app.materials.reading.formats import (
     Content,
     Document,
@@ -10,7 +12,6 @@ from app.materials.reading.formats import (
     Table,
     Unreadable,
     decided_unit,
-    np,
 )
 
 

@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from app.materials.reading.document import MOST_ROWS
 from app.materials.reading.formats import (
     Content,
@@ -11,7 +13,6 @@ from app.materials.reading.formats import (
     Table,
     Unreadable,
     decided_unit,
-    np,
 )
 
 _UNITS = {1: "eV", 2: "um", 3: "cm-1", 4: "nm"}

@@ -3,6 +3,8 @@
 import re
 from collections.abc import Sequence
 
+import numpy as np
+
 from app.materials.reading.formats import (
     Content,
     Document,
@@ -14,7 +16,6 @@ from app.materials.reading.formats import (
     blocks_of,
     decided_unit,
     layout_of,
-    np,
 )
 
 _ROLE = re.compile(r"(?:^|[._\- ])(eta|n|ior|k)$", re.IGNORECASE)

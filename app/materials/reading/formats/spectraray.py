@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from app.materials.reading.formats import (
     Content,
     Document,
@@ -12,7 +14,6 @@ from app.materials.reading.formats import (
     blocks_of,
     decided_unit,
     layout_of,
-    np,
 )
 from app.materials.reading.units import units_named
 

@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from app.materials.reading.formats import (
     Block,
     Content,
@@ -17,7 +19,6 @@ from app.materials.reading.formats import (
     columns_named,
     decided_unit,
     layout_of,
-    np,
     unit_in,
 )
 
