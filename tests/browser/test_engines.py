@@ -34,6 +34,7 @@ def test_the_table_of_curves_holds_what_the_server_told(quiet_page: Page) -> Non
     told = page.request.get("/api/v1/engines/three").json()
     (curve,) = (c for c in told["curves"] if (c["medium"], c["light"]) == ("glass", "environment"))
     page.locator("summary", has_text="Curves and errors as tables").click()
+    expect(page.locator(".curve-table")).to_have_count(2)  # it is filled as it opens
     last = page.locator(".curve-table").first.locator("tbody tr").last
     cells = last.locator("th, td").all_text_contents()
     assert float(cells[0].rstrip("°")) == told["theta_i_deg"][-1]
