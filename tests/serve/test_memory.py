@@ -39,3 +39,18 @@ def test_threads_share_one_heap(tmp_path: Path) -> None:
         subprocess.run([sys.executable, "-c", THREADS, how, str(told)], check=True)
         heaps[how] = told.read_text("utf-8").count("<heap nr=")
     assert heaps["shared"] == 1 < heaps["own"]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="another C library")
+def test_arrow_takes_from_the_same_heap() -> None:
+    pytest.importorskip("pyarrow")
+    script = """
+from app.server.memory import share_one_heap
+share_one_heap()
+import pyarrow
+print(pyarrow.default_memory_pool().backend_name)
+"""
+    told = subprocess.run(
+        [sys.executable, "-c", script], check=True, capture_output=True, text=True
+    )
+    assert told.stdout.strip() == "system"
