@@ -13,7 +13,7 @@ from benchmarks.load import OURS, served
 
 REDRAW_BAR_MS = 100.0
 RELEASES = 12
-VIEW = "?view=compare&k_t=1&over=theta-n&against=schlick,spherical_gaussian,generalized_schlick"
+VIEW = "?view=compare&k_t=1&over=theta-n&models=schlick,spherical_gaussian,generalized_schlick"
 
 WATCH = """() => {
   const picture = () => document.querySelector('.heatmap .heatmaplayer image');

@@ -143,10 +143,10 @@ def test_models_are_chosen_searched_and_out_of_domain_rows_say_why(quiet_page: P
     expect(page.locator(".chooser .reason")).to_contain_text("No model speaks of")
     search.press("Escape")
     expect(row(page, "hoffman_f82").locator(".outside")).to_contain_text("outside its domain")
-    assert "hoffman_f82" in link(page)["against"]
+    assert "hoffman_f82" in link(page)["models"]
     page.get_by_role("button", name="clear the choice of models").click()
     expect(page.locator(".empty").first).to_be_visible()
-    assert link(page)["against"] == "none"
+    assert link(page)["models"] == "none"
 
 
 def test_the_table_sorts_and_lights_its_curve(quiet_page: Page) -> None:
@@ -174,7 +174,7 @@ def test_the_table_sorts_and_lights_its_curve(quiet_page: Page) -> None:
 
 
 def test_parameters_of_models_are_controls(quiet_page: Page) -> None:
-    page = opened(quiet_page, "&against=lut_1d,lazanyi2005,generalized_schlick&n_t=1.5&k_t=5")
+    page = opened(quiet_page, "&models=lut_1d,lazanyi2005,generalized_schlick&n_t=1.5&k_t=5")
     for title in ("Lookup texture", "Lazanyi", "Generalized"):
         page.locator(".own summary", has_text=title).click()
     # solved by the server, and said so
@@ -210,7 +210,7 @@ def test_parameters_of_models_are_controls(quiet_page: Page) -> None:
 
 def test_a_link_reproduces_the_view(quiet_page: Page) -> None:
     query = (
-        "&n_t=2&against=schlick,spherical_gaussian&error=relative&family=1.5&over=theta-n"
+        "&n_t=2&models=schlick,spherical_gaussian&error=relative&family=1.5&over=theta-n"
         "&point=relative&sort=cost&order=down&angle=rad&theta_i_deg=30"
     )
     page = opened(quiet_page, query)
@@ -284,7 +284,7 @@ def test_a_file_says_that_its_angles_are_in_radians(quiet_page: Page) -> None:
 @pytest.mark.parametrize("query", ["", "&over=n-k&n_t=0.27&k_t=2.9&from=hex&given=%23ffe29b"])
 def test_is_accessible(page: Page, scheme: Any, query: str) -> None:
     page.emulate_media(color_scheme=scheme, reduced_motion="reduce")
-    opened(page, f"{query}&against=schlick,lut_1d,lazanyi2005&lut_1d.bits=8&example=shirley-glass")
+    opened(page, f"{query}&models=schlick,lut_1d,lazanyi2005&lut_1d.bits=8&example=shirley-glass")
     page.locator(".conversions tr").first.wait_for(state="attached")
     page.locator("summary", has_text="Curves and errors as tables").click()
     page.locator("summary", has_text="This figure as a table").click()

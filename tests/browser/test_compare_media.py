@@ -31,7 +31,7 @@ def test_the_sweep_goes_where_it_is_clicked(quiet_page: Page, over: str) -> None
 def test_schlicks_largest_errors_in_the_sweep_are_those_of_the_table_of_the_formulas(
     quiet_page: Page,
 ) -> None:
-    page = opened(quiet_page, "&against=schlick&n_low=1.1&n_high=4")
+    page = opened(quiet_page, "&models=schlick&n_low=1.1&n_high=4")
     page.locator("summary", has_text="This figure as a table").click()
     expect(page.locator(".figure .curve-table caption")).to_contain_text("largest error against n")
     with page.expect_download(timeout=READY_MS) as waiting:
@@ -145,7 +145,7 @@ def test_which_will_do_is_the_cheapest_within_the_budget(quiet_page: Page) -> No
     expect(page.locator(".refused li")).not_to_have_count(len(refusals))
     name = page.locator(".picks .pick").first
     name.click()
-    expect(page).to_have_url(re.compile("against="))
+    expect(page).to_have_url(re.compile("models="))
     box = page.get_by_role("textbox", name="Error budget")
     box.fill("7")
     box.press("Enter")

@@ -56,7 +56,7 @@ def test_undo_of_a_link_whose_view_is_under_way_takes_the_link_back(quiet_page: 
     held[0].continue_()
     page.wait_for_function("() => window.addresses.length === 2")
     assert page.evaluate("() => window.addresses") == [
-        "?view=compare&against=lazanyi2005",
+        "?view=compare&models=lazanyi2005",
         "?n_t=1.7",
     ]
     expect(page.locator(".view-explore")).to_be_visible()
@@ -93,7 +93,7 @@ def test_the_finder_opens_models_media_formulas_and_views(quiet_page: Page) -> N
     find("aurum", "Gold", "explore")
     settled_link(page, "material", r"\w.*")
     find("lazanyi", "Lazanyi", "compare")
-    settled_link(page, "against", "lazanyi2005")
+    settled_link(page, "models", "lazanyi2005")
     find("brewster", "Brewster", "theory")
     settled_link(page, "formula", r"angle\.brewster")
     find("albedo", "Albedo", "albedo")

@@ -109,7 +109,7 @@ def test_caption_has_parameters_and_sources(quiet_page: Page) -> None:
 
 @pytest.mark.parametrize("what", ["curves", "errors"])
 def test_caption_of_a_family_names_every_index(quiet_page: Page, what: str) -> None:
-    page = visited(quiet_page, "view=compare&n_t=1.52&family=1.31,2.417,3.5&against=schlick")
+    page = visited(quiet_page, "view=compare&n_t=1.52&family=1.31,2.417,3.5&models=schlick")
     expect(page.locator(".js-plotly-plot").first.locator("path.js-line")).to_have_count(8)
     caption = sheet(page, what).get_by_label("Text of the caption").input_value()
     assert "n_i = 1; n_t = 1.52, 1.31, 2.417, 3.5; k_t = 0." in caption

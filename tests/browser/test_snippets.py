@@ -8,7 +8,7 @@ from tests.browser.compare_page import api, axe_violations, link, opened
 
 
 def test_shows_the_code_of_what_is_compared(quiet_page: Page) -> None:
-    page = opened(quiet_page, "&against=schlick,cos_form")
+    page = opened(quiet_page, "&models=schlick,cos_form")
     panel = page.locator(".snippets")
     code = panel.locator("code")
     expect(code).to_have_text(api(page, "/shaders/schlick")["code"])
@@ -56,7 +56,7 @@ def test_copies_saves_and_links(quiet_page: Page) -> None:
 
 
 def test_says_why_there_is_no_code(page: Page) -> None:
-    opened(page, "&against=lut_1d,schlick")
+    opened(page, "&models=lut_1d,schlick")
     panel = page.locator(".snippets")
     expect(panel.locator(".row-error")).to_contain_text("read from a table")
     expect(panel.locator("code")).to_be_hidden()

@@ -12,7 +12,7 @@ from tests.browser.compare_page import api, axe_violations, link, opened
 
 
 def test_says_what_a_table_costs_and_hands_it_out(quiet_page: Page) -> None:
-    page = opened(quiet_page, "&n_t=2.4&against=schlick,lut_1d&code=exact")
+    page = opened(quiet_page, "&n_t=2.4&models=schlick,lut_1d&code=exact")
     panel = page.locator(".tables")
     panel.scroll_into_view_if_needed()
     errors = api(page, "/lut/errors?n_t=2.4")
@@ -61,7 +61,7 @@ def test_the_size_is_picked_in_the_plot_by_pointer_and_keys(quiet_page: Page) ->
 
 
 def test_rgb_of_a_metal_and_models_without_a_table(page: Page) -> None:
-    opened(page, "&material=Au&against=one_minus_cos,f82_tint&code=exact")
+    opened(page, "&material=Au&models=one_minus_cos,f82_tint&code=exact")
     panel = page.locator(".tables")
     address = panel.get_by_role("link", name="RGB as EXR").get_attribute("href") or ""
     assert parse_qs(urlsplit(address).query)["channels"] == ["3"]
@@ -69,6 +69,6 @@ def test_rgb_of_a_metal_and_models_without_a_table(page: Page) -> None:
     assert answer.headers["content-type"] == "image/x-exr"
     assert float(answer.headers["interpolation-error"]) < 1e-3
     assert axe_violations(page) == []
-    opened(page, "&n_i=1.5&n_t=1&against=cos_form")
+    opened(page, "&n_i=1.5&n_t=1&models=cos_form")
     expect(panel.locator(".row-error")).to_contain_text("defined over the whole table")
     expect(panel.locator(".table-plot")).to_be_hidden()

@@ -237,7 +237,7 @@ def test_a_models_curve_follows_the_media_and_opens_in_compare(quiet_page: Page)
     page.locator(".view-compare path.js-line").first.wait_for(state="attached", timeout=READY_MS)
     said = link(page)
     assert said["view"] == "compare"
-    assert said["against"] == "pharr_humphreys"
+    assert said["models"] == "pharr_humphreys"
     assert (said["n_t"], said["k_t"]) == ("0.27", "2.9")
     page.go_back()
     expect(page.locator(".formula-detail .lesson-title")).to_be_visible()

@@ -2,12 +2,12 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { matches } from "../../static/js/compare/chooser.js";
 import { convertPath, filled, printValue, texts } from "../../static/js/compare/conversions.js";
-import { compareFields, focused, ranges } from "../../static/js/compare/fields.js";
+import { against, compareFields, focused, ranges } from "../../static/js/compare/fields.js";
 import { later, queries, restCalls } from "../../static/js/compare/queries.js";
 import { COLUMNS, printCost, short, sorted } from "../../static/js/errors/metrics.js";
 import { curveTraces, distinct, errorRange, errorTraces } from "../../static/js/errors/traces.js";
 import { EXAMPLES, shows, stateOf } from "../../static/js/models/examples.js";
-import { createState, parameterFields, parameterQuery } from "../../static/js/state/state.js";
+import { createState, modelFields, parameterQuery } from "../../static/js/state/state.js";
 import { lutPath, rgbLutPath } from "../../static/js/takeaway/fields.js";
 import { pick } from "./catalog.js";
 
@@ -92,17 +92,17 @@ const curves = (n_t, ...all) => ({
 test("an empty choice of models is said in the link, and the default is not", () => {
   const state = createState(compareFields(CATALOG));
   assert.equal(state.toQuery(), "");
-  assert.deepEqual(state.get().against, ["schlick", "spherical_gaussian"]);
-  state.set({ against: Object.freeze([]) }, { history: "none" });
-  assert.equal(state.toQuery(), "against=none");
-  assert.deepEqual(state.fromQuery("?against=none&family=1.3,2"), []);
-  assert.deepEqual(state.get().against, []);
+  assert.deepEqual(against(state.get()), ["schlick", "spherical_gaussian", "generalized_schlick"]);
+  state.set({ models: Object.freeze([]) }, { history: "none" });
+  assert.equal(state.toQuery(), "models=none");
+  assert.deepEqual(state.fromQuery("?models=none&family=1.3,2"), []);
+  assert.deepEqual(against(state.get()), []);
   assert.deepEqual(state.get().family, [1.3, 2]);
-  assert.equal(state.fromQuery("?against=schlick,nobody&family=0&over=space").length, 3);
+  assert.equal(state.fromQuery("?models=schlick,nobody&family=0&over=space").length, 3);
 });
 
 test("a model's own parameters: whole numbers, words and triples, and only those that differ", () => {
-  const fields = parameterFields(MODELS);
+  const fields = modelFields(MODELS);
   assert.equal(fields["lut_1d.filtering"]?.default, "linear");
   assert.throws(() => fields["lut_1d.size"]?.parse("2.5"), /whole/);
   assert.throws(() => fields["spherical_gaussian.F0"]?.parse("1,2,3"), /0 to 1/);
@@ -121,7 +121,7 @@ test("while something moves only curves are asked for, and slow questions come l
   const { map, curves: path } = queries(state, CATALOG, false);
   assert.match(
     path ?? "",
-    /^\/curves\?n_t=2&models=exact,schlick,spherical_gaussian&landmarks=true$/,
+    /^\/curves\?n_t=2&models=exact,schlick,spherical_gaussian,generalized_schlick&landmarks=true$/,
   );
   assert.match(map ?? "", /x=theta_i_deg&.*x_steps=181&y=n_t&.*y_steps=121&metric=error&digits=4/);
   assert.doesNotMatch(map ?? "", /[?&]n_t=/);
@@ -293,7 +293,7 @@ test("what is converted follows the media, the boxes and the picture's color", (
 });
 
 test("the code shown is that of a model on the screen, of numbers or of colors", () => {
-  const state = stateWith({ against: ["schlick"], language: "wgsl" });
+  const state = stateWith({ models: ["schlick"], language: "wgsl" });
   assert.equal(later(state, CATALOG).shader, "/shaders/schlick?language=wgsl");
   const colors = { ...state, channels: "3", code: "exact" };
   assert.equal(later(colors, CATALOG).shader, "/shaders/exact?language=wgsl&channels=3");
@@ -302,7 +302,7 @@ test("the code shown is that of a model on the screen, of numbers or of colors",
 });
 
 test("a table is that of the model whose code is shown, with its parameters", () => {
-  const state = stateWith({ against: ["lut_1d", "schlick"], "lut_1d.size": 16, n_t: 2 });
+  const state = stateWith({ models: ["lut_1d", "schlick"], "lut_1d.size": 16, n_t: 2 });
   assert.equal(later(state, CATALOG).lut, "/lut/errors?model=lut_1d&n_t=2&lut_1d.size=16");
   const exact = { ...state, code: "exact" };
   assert.equal(lutPath(exact, CATALOG, "exact", "/lut", ["size=8"]), "/lut?n_t=2&size=8");

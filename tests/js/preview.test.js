@@ -3,6 +3,7 @@ import { test } from "node:test";
 import { boundsOf, cameraAt, rowsBelow } from "../../static/js/preview/camera.js";
 import { tableOf, texelsOf } from "../../static/js/preview/curves.js";
 import { ciede2000, differenceOf, lab } from "../../static/js/preview/difference.js";
+import { putRight, sided } from "../../static/js/preview/fields.js";
 import { coloredMaterial, later, queries, sidePaths } from "../../static/js/preview/queries.js";
 import { INTERVALS, UNDEFINED } from "../../static/js/preview/shader.js";
 import { PARAMETERS } from "./catalog.js";
@@ -194,4 +195,17 @@ test("code and tables are those of a model on the sides, or of what is exact", (
   const one = { ...state, left: "schlick", right: "schlick", k_t: 0 };
   assert.equal(later(one, catalog).lut, "/lut/errors?model=schlick&n_t=2");
   assert.equal(later({ ...one, code: "exact" }, catalog).shader, "/shaders/exact?language=osl");
+});
+
+test("on the right stands the first model of all views, and what is put there is their first", () => {
+  assert.equal(sided({ right: null, models: null }).right, "schlick");
+  assert.equal(sided({ right: null, models: ["cos_form", "schlick"] }).right, "cos_form");
+  assert.equal(sided({ right: "none", models: ["cos_form"] }).right, "none"); // as a link says
+  const state = { right: "none", models: ["schlick", "cos_form"] };
+  assert.deepEqual(putRight(state, "cos_form"), { right: null, models: ["cos_form", "schlick"] });
+  assert.deepEqual(putRight(state, "exact"), { right: "exact" });
+  assert.deepEqual(putRight({ right: null, models: null }, "cos_form"), {
+    right: null,
+    models: ["cos_form"],
+  });
 });

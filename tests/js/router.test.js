@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 import { createRouter } from "../../static/js/page/router.js";
-import { choice, createState, number } from "../../static/js/state/state.js";
+import { choice, createState, list, number } from "../../static/js/state/state.js";
 import { pick } from "./catalog.js";
 
 const VIEWS = [{ id: "explore" }, { id: "compare" }, { id: "theory" }];
@@ -33,7 +33,10 @@ function page() {
   let again = async () => {};
   /** @param {string} id @returns {ViewModule} */
   const module = (id) => ({
-    fields: () => ({ [`${id}_n`]: number({ default: 1, minimum: 0, maximum: 9 }) }),
+    fields: () => ({
+      [`${id}_n`]: number({ default: 1, minimum: 0, maximum: 9 }),
+      models: list(["schlick"]),
+    }),
     createView: () => /** @type {any} */ (null),
     queries: () => ({}),
     restCalls: () => [],
@@ -93,6 +96,16 @@ test("state of other views is read with their help", async () => {
   for (const flight of flights.slice(1)) flight.come();
   await arrived;
   assert.equal(state.get().compare_n, 4);
+  assert.equal(log.at(-1), "arrived 0");
+});
+
+test("an old name in an address does not call for the other views", async () => {
+  const { router, flights, state, log } = page();
+  const arrived = router.arrive("http://page/?view=compare&against=schlick");
+  flights[0]?.come();
+  await arrived;
+  assert.equal(flights.length, 1);
+  assert.deepEqual(state.get().models, ["schlick"]);
   assert.equal(log.at(-1), "arrived 0");
 });
 

@@ -4,6 +4,7 @@ import {
   choice,
   createState,
   createUndo,
+  inTodaysWords,
   list,
   number,
   optional,
@@ -201,4 +202,18 @@ test("the number of steps is bounded", () => {
   assert.ok(steps.depth().past <= 200);
   steps.undo();
   assert.equal(state.get().n, 4.99);
+});
+
+test("a link that says against as Compare once did is read as one that says models", () => {
+  const read = (/** @type {string} */ search) =>
+    Object.fromEntries(new URLSearchParams(inTodaysWords(search)));
+  assert.equal(inTodaysWords("?n=2&models=schlick"), "?n=2&models=schlick");
+  assert.deepEqual(read("?view=compare&against=schlick,cos_form&n=2"), {
+    view: "compare",
+    models: "schlick,cos_form",
+    n: "2",
+  });
+  // Each view once had models of its own: those of the view that is opened count.
+  assert.equal(read("?view=compare&models=cos_form&against=none").models, "none");
+  assert.equal(read("?models=cos_form&against=schlick").models, "cos_form");
 });

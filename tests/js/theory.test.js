@@ -138,8 +138,8 @@ test("an address leaves out what is nothing", () => {
   assert.equal(addressOf("explore", { n_t: 1.333 }), "?n_t=1.333");
   assert.equal(addressOf("theory", { section: null, step: "coat" }), "?view=theory&step=coat");
   assert.equal(
-    addressOf("compare", { against: "schlick,exact" }),
-    "?view=compare&against=schlick,exact",
+    addressOf("compare", { models: "schlick,exact" }),
+    "?view=compare&models=schlick,exact",
   );
 });
 

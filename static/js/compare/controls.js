@@ -6,7 +6,7 @@ import { createTyped } from "../controls/typed.js";
 import { createPanel } from "../controls/view-panel.js";
 import { h } from "../page/dom.js";
 import { createChooser } from "./chooser.js";
-import { compareFields } from "./fields.js";
+import { against, compareFields } from "./fields.js";
 
 /** The ranges of d'Eon's conductor comparison; "more" goes beyond them. @type {Record<string, RowManner>} */
 const MANNERS = {
@@ -44,8 +44,8 @@ export function createControls({ catalog, presets, state, actions, describeMedia
   const choices = createChoices(actions, { angle: ["Angles", { deg: "degrees", rad: "radians" }] });
   const chooser = createChooser({
     models,
-    chosen: () => state().against,
-    onChange: (ids) => actions.set({ against: Object.freeze(ids) }),
+    chosen: () => against(state()),
+    onChange: (ids) => actions.set({ models: Object.freeze(ids) }),
   });
   const parameters = createParameters({ models, state, actions, prefix: "compare-" });
   const panel = createPanel({
@@ -73,8 +73,8 @@ export function createControls({ catalog, presets, state, actions, describeMedia
     update(now, reasons, solved) {
       panel.update(now);
       members.update(now.family.join(", "));
-      parameters.update(now, now.against, solved);
-      chooser.update(now.against, reasons);
+      parameters.update(now, against(now), solved);
+      chooser.update(against(now), reasons);
       choices.update(now);
     },
   };

@@ -2,21 +2,17 @@
 
 import { COLUMNS, METRICS } from "../errors/metrics.js";
 import { EXAMPLES } from "../models/examples.js";
-import {
-  choice,
-  declared,
-  LinkError,
-  list,
-  number,
-  optional,
-  parameterFields,
-} from "../state/state.js";
+import { choice, declared, LinkError, modelFields, number, optional } from "../state/state.js";
 import { text } from "../state/text.js";
 import { snippetFields, tableFields } from "../takeaway/fields.js";
 import { SOURCES } from "./conversions.js";
 
 /** What stands against the exact curve when nothing was chosen. */
 const FIRST_MODELS = ["schlick", "spherical_gaussian", "generalized_schlick"];
+
+/** What stands against the exact curve here. @param {State} state @returns {readonly string[]} */
+export const against = ({ models }) => models ?? FIRST_MODELS;
+
 const MOST_FAMILY = 6;
 /** What an error may be allowed. */
 export const BUDGET = { minimum: 1e-9, maximum: 1 };
@@ -61,10 +57,6 @@ export function compareFields({ models, parameters }) {
   /** @param {string} name */
   const end = (name) => number({ ...declared(parameters, name), default: null });
   return {
-    against: list(
-      ids,
-      FIRST_MODELS.filter((id) => ids.includes(id)),
-    ),
     error: choice("signed", ["signed", "relative"]),
     family: numbers(declared(parameters, "n_t")),
     example: optional(EXAMPLES.map((e) => e.id)),
@@ -88,16 +80,18 @@ export function compareFields({ models, parameters }) {
     seen_from: end("n_i"),
     ...snippetFields(models),
     ...tableFields(),
-    ...parameterFields(models),
+    ...modelFields(models),
   };
 }
 
 /** Models whose code is offered: those on the screen. @param {State} state @returns {string[]} */
-export const withCode = ({ against }) => [...against, "exact"];
+export const withCode = (state) => [...against(state), "exact"];
 
 /** The model whose map is shown. @param {State} state @returns {string} */
-export function focused({ focus, against }) {
-  return focus !== null && against.includes(focus) ? focus : (against[0] ?? "schlick");
+export function focused(state) {
+  const { focus } = state;
+  const all = against(state);
+  return focus !== null && all.includes(focus) ? focus : (all[0] ?? "schlick");
 }
 
 /**

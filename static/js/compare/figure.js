@@ -13,7 +13,7 @@ import { html, render } from "../page/lit.js";
 import { createHeatmap } from "../plot/heatmap.js";
 import { createPlot } from "../plot/plot.js";
 import { declared } from "../state/state.js";
-import { FIGURES, figureOf, focused, ranges } from "./fields.js";
+import { against, FIGURES, figureOf, focused, ranges } from "./fields.js";
 import { hasTriple } from "./queries.js";
 
 /** @type {Record<string, string>} */
@@ -131,7 +131,7 @@ export function createFigure({ element: parent, catalog, actions, save }) {
   /** @param {State} state @param {Record<string, any>} answers */
   function drawSweep(state, answers) {
     const { x: name } = figureOf(state);
-    const single = state.against.filter((/** @type {string} */ id) => !hasTriple(state, id));
+    const single = against(state).filter((/** @type {string} */ id) => !hasTriple(state, id));
     const sweeps = single
       .map((/** @type {string} */ id) => answers[`sweep:${id}`])
       .filter((/** @type {any} */ answer) => answer?.over === name);
@@ -151,7 +151,7 @@ export function createFigure({ element: parent, catalog, actions, save }) {
     const empty = traces.length === 0;
     waiting.hidden = !empty;
     hosts.sweep.toggleAttribute("data-empty", empty);
-    const chosen = state.against.length > 0;
+    const chosen = against(state).length > 0;
     const split = chosen && single.length === 0;
     setText(waiting, split ? ONE_CHANNEL : chosen ? "…" : "Choose a model to see its error here.");
     if (empty) return;
@@ -223,7 +223,7 @@ export function createFigure({ element: parent, catalog, actions, save }) {
       over.update([state.over]);
       metric.update(state.metric);
       point.update(state.point);
-      const ids = state.against.length ? state.against : [focused(state)];
+      const ids = against(state).length ? against(state) : [focused(state)];
       focus.update(
         focused(state),
         Object.fromEntries(ids.map((/** @type {string} */ id) => [id, titleOf(id)])),

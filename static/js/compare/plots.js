@@ -5,6 +5,7 @@ import { curveTraces, distinct, errorRange, errorTraces } from "../errors/traces
 import { clamp, inDegrees, inUnit } from "../numbers/format.js";
 import { traceUid } from "../plot/figure.js";
 import { createPair } from "../plot/pair.js";
+import { against } from "./fields.js";
 
 const RESOLUTION = 0.05; // degrees
 
@@ -103,12 +104,12 @@ export function createPlots({ element, catalog: { models }, actions, save }) {
         const own = answers[`curves@${n}`];
         return own ? [{ n, curves: own }] : [];
       });
-      const look = JSON.stringify([state.angle, state.error, state.against, state.family]);
+      const look = JSON.stringify([state.angle, state.error, against(state), state.family]);
       const sources = [answers.curves, ...family.map((/** @type {any} */ m) => m.curves)];
       const relative = state.error === "relative";
       const axis = angleAxis(state);
       const drawn = pair.draw(look, sources, moving, () => {
-        const all = curveTraces(answers.curves, state.against, models, toUnit, family);
+        const all = curveTraces(answers.curves, against(state), models, toUnit, family);
         curves = distinct(all);
         errors = errorTraces(all, relative);
         signed = errorTraces(all, false).filter((t) => !t.id.includes("@"));

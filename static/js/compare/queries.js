@@ -3,7 +3,7 @@
 import { mediaQuery, parameterQuery, path } from "../state/state.js";
 import { codeOf, lutPath, snippetPath } from "../takeaway/fields.js";
 import { convertPath } from "./conversions.js";
-import { figureOf, focused, ranges, withCode } from "./fields.js";
+import { against, figureOf, focused, ranges, withCode } from "./fields.js";
 
 /** Enough for a smooth line, and steps of 0.01 over two units of n. */
 const SWEEP_STEPS = 201;
@@ -17,19 +17,20 @@ const ofModels = (route, state, catalog, models, end) =>
   path(route, [
     ...mediaQuery(state, catalog),
     models,
-    ...parameterQuery(state, catalog.models, state.against),
+    ...parameterQuery(state, catalog.models, against(state)),
     end,
   ]);
 
 /** @param {State} state @param {Catalog} catalog @param {number} [n_t] of another member of the family */
 function curvesPath(state, catalog, n_t = state.n_t) {
-  const models = state.against.length ? `models=exact,${state.against.join(",")}` : "";
+  const ids = against(state);
+  const models = ids.length ? `models=exact,${ids.join(",")}` : "";
   return ofModels("/curves", { ...state, n_t }, catalog, models, "landmarks=true");
 }
 
 /** The errors over the angle are in the curves already. @param {State} state @param {Catalog} catalog */
 const errorsPath = (state, catalog) =>
-  ofModels("/errors", state, catalog, `models=${state.against.join(",")}`, "samples=2");
+  ofModels("/errors", state, catalog, `models=${against(state).join(",")}`, "samples=2");
 
 /** A line or a map shows one channel, so three values of a parameter have none. @param {State} state @param {string} model */
 export function hasTriple(state, model) {
@@ -113,14 +114,15 @@ export function queries(state, catalog, moving = false) {
  * @returns {Record<string, string>}
  */
 export function later(state, catalog) {
-  const { against, example } = state;
+  const { example } = state;
+  const models = against(state);
   const swept = figureOf(state).isMap
     ? []
-    : against.filter((/** @type {string} */ id) => !hasTriple(state, id));
+    : models.filter((/** @type {string} */ id) => !hasTriple(state, id));
   const offered = withCode(state);
   return {
     ...(example && { claims: `/claims?example=${example}` }),
-    ...(against.length && { errors: errorsPath(state, catalog) }),
+    ...(models.length && { errors: errorsPath(state, catalog) }),
     ...Object.fromEntries(
       swept.map((/** @type {string} */ id) => [`sweep:${id}`, sweepPath(state, catalog, id)]),
     ),
@@ -135,7 +137,7 @@ export function later(state, catalog) {
 export function restCalls(state, catalog) {
   const { curves, map } = queries(state, catalog);
   const { errors, recommend, convert } = later(state, catalog);
-  const swept = state.against.length && !figureOf(state).isMap;
+  const swept = against(state).length && !figureOf(state).isMap;
   const figure = map ?? (swept ? sweepPath(state, catalog, focused(state)) : undefined);
   return [curves, errors, figure, recommend, convert].filter((p) => p !== undefined);
 }

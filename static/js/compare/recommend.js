@@ -9,7 +9,7 @@ import { evaluate } from "../numbers/expression.js";
 import { percent, plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { html, nothing, render } from "../page/lit.js";
-import { BUDGET } from "./fields.js";
+import { against, BUDGET } from "./fields.js";
 
 /**
  * @typedef {{model: string, title: string, cost: Record<string, number>, figures: Record<string, number | null> | null,
@@ -53,10 +53,9 @@ export function createRecommend({ catalog: { models }, state, actions }) {
 
   /** @param {string} id */
   function toggle(id) {
-    /** @type {{against: readonly string[]}} */
-    const { against } = /** @type {any} */ (state());
-    const others = against.filter((other) => other !== id);
-    actions.set({ against: Object.freeze(against.includes(id) ? others : [...against, id]) });
+    const now = against(state());
+    const others = now.filter((other) => other !== id);
+    actions.set({ models: Object.freeze(now.includes(id) ? others : [...now, id]) });
   }
 
   /** @param {Candidate} candidate @param {State} now */
@@ -69,7 +68,7 @@ export function createRecommend({ catalog: { models }, state, actions }) {
           : html`<button
               type="button"
               class="pick"
-              aria-pressed=${now.against.includes(id)}
+              aria-pressed=${against(now).includes(id)}
               @click=${() => toggle(id)}
             >${name}</button>`
       }

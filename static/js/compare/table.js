@@ -8,6 +8,7 @@ import { angle } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { html, nothing, render } from "../page/lit.js";
 import { createCopy, heading } from "../page/tables.js";
+import { against } from "./fields.js";
 
 /**
  * @typedef {import('../errors/metrics.js').Row} Row
@@ -23,10 +24,10 @@ function pricesOf(answer) {
 }
 
 /** The errors of the models that are shown. @param {State} now @param {Record<string, any>} answers @returns {Row[]} */
-export function errorsOf({ against }, answers) {
+export function errorsOf(now, answers) {
   /** @type {Row[]} */
   const rows = answers.errors?.errors ?? [];
-  return rows.filter((r) => against.includes(r.model));
+  return rows.filter((r) => against(now).includes(r.model));
 }
 
 /** @param {ViewContext} context @param {(model: string | null) => void} onLight */
@@ -128,7 +129,7 @@ export function createTable({ catalog: { models }, state, actions, say, typeset 
       const setting = { unit: now.angle, costs, prices: pricesOf(answers.recommend) };
       const rows = sorted(errorsOf(now, answers), now.sort, now.order, setting);
       shown = { state: now, rows, setting, here };
-      definitions.update(now.against);
+      definitions.update(against(now));
       const focused = focusedRow();
       const empty = html`<p class="empty">Choose a model to see its errors here.</p>`;
       render(rows.length === 0 ? empty : table(shown, stale), element);

@@ -28,7 +28,7 @@ export function createTable({ catalog: { models } }) {
       <td>${where(curve.error, metal, state)}</td>
       <td>${
         model && curve.model_error
-          ? html`<a href=${addressOf("compare", { against: model.id })}>${model.title}</a>, within
+          ? html`<a href=${addressOf("compare", { models: model.id })}>${model.title}</a>, within
             ${where(curve.model_error, metal, state)}`
           : nothing
       }</td>

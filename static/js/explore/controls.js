@@ -13,6 +13,7 @@ import { createInterface } from "../media/media.js";
 import { modelStyle } from "../models/look.js";
 import { angle } from "../numbers/format.js";
 import { h, symbol } from "../page/dom.js";
+import { chosenModels } from "../state/state.js";
 
 /** @param {ControlsOptions} options */
 export function createControls({ catalog, presets, state, actions, describeMedia }) {
@@ -80,8 +81,10 @@ export function createControls({ catalog, presets, state, actions, describeMedia
         style: modelStyle(catalog.models, id),
       })),
       chosen: () =>
-        state().models.filter((/** @type {string} */ id) => !models.some((m) => m.id === id)),
-      onChange: (ids) => actions.set({ models: ids }),
+        chosenModels(state()).filter(
+          (/** @type {string} */ id) => !models.some((m) => m.id === id),
+        ),
+      onChange: (ids) => actions.set({ models: ids.length ? ids : null }),
     });
   });
   const ownPlace = h("div");
@@ -90,7 +93,7 @@ export function createControls({ catalog, presets, state, actions, describeMedia
 
   /** Rows for the models' parameters, once one of the models shown has any. */
   function updateOwn() {
-    const { models } = state();
+    const models = chosenModels(state());
     if (own) own.update(state(), models);
     else if (catalog.models.some((m) => models.includes(m.id) && m.parameters.length > 0))
       void import("../controls/parameters.js").then(({ createParameters }) => {
@@ -144,7 +147,7 @@ export function createControls({ catalog, presets, state, actions, describeMedia
         ...(now.light === "white" ? ["white"] : []),
         ...(now.marks === "on" ? ["marks"] : []),
       ]);
-      for (const fold of overlays) fold.update(now.models, reasons);
+      for (const fold of overlays) fold.update(chosenModels(now), reasons);
       updateOwn();
     },
   };

@@ -34,7 +34,7 @@ export function createDefinitions(
   element.addEventListener("toggle", fill);
   return {
     element,
-    /** @param {string[]} ids */
+    /** @param {readonly string[]} ids */
     update(ids) {
       wanted = ["exact", ...ids];
       void fill();

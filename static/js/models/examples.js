@@ -17,19 +17,19 @@ export const EXAMPLES = [
     id: "shirley-glass",
     title: "Glass, exact and Schlick",
     source: "Shirley",
-    state: { n_t: 1.5, against: ["schlick"] },
+    state: { n_t: 1.5, models: ["schlick"] },
   },
   {
     id: "lagarde-conductor-k0",
     title: "Conductor formula at k = 0",
     source: "Lagarde",
-    state: { n_t: 1.5, against: ["pharr_humphreys"], over: "k" },
+    state: { n_t: 1.5, models: ["pharr_humphreys"], over: "k" },
   },
   {
     id: "lagarde-conductor-k",
     title: "Conductor formula at k > 0",
     source: "Lagarde",
-    state: { n_t: 1.5, k_t: 3, against: ["pharr_humphreys"], over: "k" },
+    state: { n_t: 1.5, k_t: 3, models: ["pharr_humphreys"], over: "k" },
   },
   {
     id: "lagarde-lazanyi",
@@ -38,7 +38,7 @@ export const EXAMPLES = [
     state: {
       n_t: 1.5,
       k_t: 5,
-      against: ["schlick", "lazanyi2005"],
+      models: ["schlick", "lazanyi2005"],
       "lazanyi2005.alpha": 7.7,
       over: "k",
     },
@@ -47,7 +47,7 @@ export const EXAMPLES = [
     id: "lagarde-water-air",
     title: "Water to air",
     source: "Lagarde",
-    state: { n_i: 1.33, n_t: 1, against: ["schlick", "schlick_tir"] },
+    state: { n_i: 1.33, n_t: 1, models: ["schlick", "schlick_tir"] },
   },
   {
     id: "lagarde-range",
@@ -56,7 +56,7 @@ export const EXAMPLES = [
     state: {
       n_t: 1.4,
       family: [2.2],
-      against: ["schlick"],
+      models: ["schlick"],
       error: "relative",
       over: "n",
       metric: "max_relative",
@@ -68,13 +68,13 @@ export const EXAMPLES = [
     id: "wloka-family",
     title: "A family of curves over n",
     source: "Wloka",
-    state: { n_t: 1.52, family: [1.31, 2.417, 3.5], against: [] },
+    state: { n_t: 1.52, family: [1.31, 2.417, 3.5], models: [] },
   },
   {
     id: "wloka-water-diamond",
     title: "Water and diamond, 1 − cos",
     source: "Wloka",
-    state: { n_t: 1.333333, family: [2.417], against: ["schlick", "one_minus_cos"] },
+    state: { n_t: 1.333333, family: [2.417], models: ["schlick", "one_minus_cos"] },
   },
   {
     id: "deon-conductor",
@@ -83,7 +83,7 @@ export const EXAMPLES = [
     state: {
       n_t: 1.5,
       k_t: 2,
-      against: ["schlick", "pharr_humphreys", "complex_dielectric"],
+      models: ["schlick", "pharr_humphreys", "complex_dielectric"],
       over: "k",
     },
   },
@@ -96,7 +96,7 @@ const OWN = [
   "n_i",
   "n_t",
   "k_t",
-  "against",
+  "models",
   "error",
   "family",
   "over",

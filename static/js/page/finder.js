@@ -64,7 +64,7 @@ export function entries({ catalog, views, view, set, actions, notice }) {
         name: title,
         category: "model",
         does: "model, in Compare",
-        run: () => follow(addressOf("compare", { against: id })),
+        run: () => follow(addressOf("compare", { models: id })),
       })),
   ];
 }

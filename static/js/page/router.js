@@ -1,5 +1,7 @@
 /** Which view is open, and the way from an address to it. */
 
+import { inTodaysWords } from "../state/state.js";
+
 /** @param {RouterOptions} options */
 export function createRouter({
   views,
@@ -82,7 +84,7 @@ export function createRouter({
     arrivals += 1;
     const arrival = arrivals;
     const again = () => arrive(href, { anew });
-    const { search } = new URL(href, location.href);
+    const search = inTodaysWords(new URL(href, location.href).search);
     const asked = new URLSearchParams(search);
     const { id } = /** @type {{id: string}} */ (
       views.find((v) => v.id === asked.get("view")) ?? views[0]

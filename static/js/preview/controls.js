@@ -8,7 +8,7 @@ import { ExpressionError, evaluate } from "../numbers/expression.js";
 import { plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { html, render } from "../page/lit.js";
-import { BOUNDS, isOpaque, NONE } from "./fields.js";
+import { BOUNDS, isOpaque, NONE, putRight } from "./fields.js";
 import { coloredMaterial, SIDES } from "./queries.js";
 
 /** @type {Record<string, {label: string, range: [number, number], wide: [number, number]}>} */
@@ -110,7 +110,11 @@ export function createControls(context) {
   const offered = sidesOf(catalog.models);
   /** @param {'left' | 'right'} side */
   const select = (side) =>
-    createSelect(`Model on the ${side}`, (id) => actions.set({ [side]: id }), offered);
+    createSelect(
+      `Model on the ${side}`,
+      (id) => actions.set(side === "right" ? putRight(state(), id) : { left: id }),
+      offered,
+    );
   const selects = { left: select("left"), right: select("right") };
 
   /** @param {'left' | 'right'} side @param {string} reason */

@@ -1,6 +1,14 @@
 /** The state that the Preview view adds to the one all views share. */
 
-import { choice, LinkError, number, parameterFields, whole } from "../state/state.js";
+import {
+  choice,
+  chosenModels,
+  LinkError,
+  modelFields,
+  number,
+  optional,
+  whole,
+} from "../state/state.js";
 import { snippetFields, tableFields } from "../takeaway/fields.js";
 
 /** Without any reflection, as in Wloka's figure 14; all else is a registered model. */
@@ -38,7 +46,7 @@ export function previewFields({ models }) {
   return {
     scene: choice("ball", ["ball", "water"]),
     left: choice("exact", ids),
-    right: choice(ids.includes("schlick") ? "schlick" : "exact", ids),
+    right: optional(ids),
     left_by: choice("pixel", by),
     right_by: choice("pixel", by),
     texels: whole(number(BOUNDS.texels)),
@@ -54,8 +62,29 @@ export function previewFields({ models }) {
     distance: number(BOUNDS.distance),
     ...snippetFields(models),
     ...tableFields(),
-    ...parameterFields(models),
+    ...modelFields(models),
   };
+}
+
+const FIRST_MODEL = "schlick";
+
+/** The state with the model on the right: the first of those chosen in any view, unless a link names another. @param {State} state @returns {State} */
+export const sided = (state) => ({
+  ...state,
+  right: state.right ?? chosenModels(state)[0] ?? FIRST_MODEL,
+});
+
+/**
+ * What the state becomes when a model is put on the right: it is the first of those of all views. The
+ * exact curve and none at all are no models that stand beside it.
+ * @param {State} state
+ * @param {string} id
+ * @returns {State}
+ */
+export function putRight(state, id) {
+  if (id === "exact" || id === NONE) return { right: id };
+  const others = chosenModels(state).filter((other) => other !== id);
+  return { right: null, models: Object.freeze([id, ...others]) };
 }
 
 /** Models whose code is offered: those on the sides, and what they are measured by. @param {State} state */

@@ -4,7 +4,7 @@ import { isDispersive } from "../media/media.js";
 import { decoded } from "../numbers/srgb.js";
 import { mediaQuery, parameterQuery, path, stateName } from "../state/state.js";
 import { codeOf, lutPath, snippetPath } from "../takeaway/fields.js";
-import { isEven, isPaint, NONE, withCode } from "./fields.js";
+import { isEven, isPaint, NONE, sided, withCode } from "./fields.js";
 
 /**
  * @typedef {'left' | 'right'} Side
@@ -125,6 +125,11 @@ export function coatPaths(state, catalog) {
  * @returns {Record<string, string>}
  */
 export function queries(state, catalog) {
+  return queriesOf(sided(state), catalog);
+}
+
+/** @param {State} state @param {Catalog} catalog */
+function queriesOf(state, catalog) {
   return {
     ...sidePaths(state, catalog, "right"),
     ...sidePaths(state, catalog, "left"),
@@ -134,8 +139,9 @@ export function queries(state, catalog) {
   };
 }
 
-/** Code and tables, which are below the picture. @param {State} state @param {Catalog} catalog @returns {Record<string, string>} */
-export function later(state, catalog) {
+/** Code and tables, which are below the picture. @param {State} given @param {Catalog} catalog @returns {Record<string, string>} */
+export function later(given, catalog) {
+  const state = sided(given);
   const offered = withCode(state);
   return {
     shader: snippetPath(state, offered),

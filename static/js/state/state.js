@@ -388,11 +388,34 @@ function fieldOf(parameter) {
   return parameter.integer ? whole(number(parameter)) : number(parameter);
 }
 
-/** @param {Model[]} models @returns {Record<string, Field>} */
-export function parameterFields(models) {
-  return Object.fromEntries(
-    models.flatMap((model) => model.parameters.map((p) => [stateName(model, p), fieldOf(p)])),
-  );
+/**
+ * Which models stand beside the exact one, the same in all views, and their parameters. Where nobody
+ * has chosen, each view has models of its own.
+ * @param {Model[]} models
+ * @returns {Record<string, Field>}
+ */
+export function modelFields(models) {
+  const ids = models.map((m) => m.id).filter((id) => id !== "exact");
+  const any = list(ids, ids); // so that an empty list is written "none"
+  return {
+    models: { ...any, default: null, print: (value) => (value === null ? "" : any.print(value)) },
+    ...Object.fromEntries(
+      models.flatMap((model) => model.parameters.map((p) => [stateName(model, p), fieldOf(p)])),
+    ),
+  };
+}
+
+/** Those chosen, in a view that starts with none. @param {State} state @returns {readonly string[]} */
+export const chosenModels = ({ models }) => models ?? [];
+
+/** A link's query in today's words: what Compare shows was once called `against`. @param {string} search */
+export function inTodaysWords(search) {
+  const asked = new URLSearchParams(search);
+  const models = asked.get("against");
+  if (models === null) return search;
+  asked.delete("against");
+  if (asked.get("view") === "compare" || !asked.has("models")) asked.set("models", models);
+  return `?${asked}`;
 }
 
 /**

@@ -65,7 +65,7 @@ export function used({ id, kind, takes }) {
       n_t: at.n_t,
       ...(at.k_t && { k_t: at.k_t }),
     };
-    return ["Open in Compare", "compare", { ...own, against: name === "exact" ? "schlick" : name }];
+    return ["Open in Compare", "compare", { ...own, models: name === "exact" ? "schlick" : name }];
   }
   if (kind === "albedo") {
     const exact = ["exact", "dielectric", "flatland", "reciprocity", "coat"].includes(name);

@@ -52,7 +52,7 @@ export const TRAPS = [
       [
         "The three curves in Compare",
         "compare",
-        { n_i: 1.5, n_t: 1, against: "schlick_wrong_angle,schlick_tir" },
+        { n_i: 1.5, n_t: 1, models: "schlick_wrong_angle,schlick_tir" },
       ],
     ],
   },
@@ -126,7 +126,7 @@ export const TRAPS = [
       [
         "d'Eon's comparison",
         "compare",
-        { n_t: 1.5, k_t: 2, against: "schlick,pharr_humphreys,complex_dielectric" },
+        { n_t: 1.5, k_t: 2, models: "schlick,pharr_humphreys,complex_dielectric" },
       ],
     ],
   },

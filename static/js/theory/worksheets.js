@@ -51,9 +51,9 @@ export const SHEETS = [
     level: "computer graphics, 60 minutes",
     about: "Approximations judged by numbers, not by looks.",
     tasks: [
-      "For which $n$ from 1 to 3 is Schlick's largest error below 0.04? [error over n](?view=compare&against=schlick&over=n)",
+      "For which $n$ from 1 to 3 is Schlick's largest error below 0.04? [error over n](?view=compare&models=schlick&over=n)",
       "Find the cheapest model that stays within 0.01 for iron. [iron, n = 2.9, k = 3](?view=compare&n_t=2.9&k_t=3&budget=0.01)",
-      "Where on the n, k plane does Pharr and Humphreys' form stay within 0.01? [the map](?view=compare&n_t=1.5&k_t=3&against=pharr_humphreys&over=n-k&focus=pharr_humphreys)",
+      "Where on the n, k plane does Pharr and Humphreys' form stay within 0.01? [the map](?view=compare&n_t=1.5&k_t=3&models=pharr_humphreys&over=n-k&focus=pharr_humphreys)",
       "Name the trap in each of the five cards before you read its cure. [traps](?view=theory&section=traps)",
     ],
   },

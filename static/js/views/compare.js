@@ -3,7 +3,7 @@
 import { createControls } from "../compare/controls.js";
 import { createConvert } from "../compare/convert.js";
 import { createNamedExamples } from "../compare/examples.js";
-import { compareFields, figureOf, withCode } from "../compare/fields.js";
+import { against, compareFields, figureOf, withCode } from "../compare/fields.js";
 import { createFigure } from "../compare/figure.js";
 import { createPlots } from "../compare/plots.js";
 import { later, queries, restCalls } from "../compare/queries.js";
@@ -75,7 +75,7 @@ export function createView(context) {
       plots.update(now, answers, moving || map);
       // Settling two plots takes longer than a map: the map comes first.
       if (map) settling = setTimeout(() => plots.update(now, answers, false), SETTLE_AFTER);
-      const stale = moving || (now.against.length > 0 && !fresh.errors);
+      const stale = moving || (against(now).length > 0 && !fresh.errors);
       table.update(now, answers, plots.reading(now.theta_i_deg), stale);
       if (!moving) rest(now);
     },

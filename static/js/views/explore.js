@@ -9,18 +9,25 @@ import { nameable, spreadPaths } from "../media/media.js";
 import { angle, clamp, inDegrees, inUnit, percent, snap, stepped } from "../numbers/format.js";
 import { createDataTables, createExports, h } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
-import { choice, list, mediaQuery, parameterFields, parameterQuery, path } from "../state/state.js";
+import {
+  choice,
+  chosenModels,
+  list,
+  mediaQuery,
+  modelFields,
+  parameterQuery,
+  path,
+} from "../state/state.js";
 
 const SNAP_DEGREES = 1;
 
 /** The state that this view adds to the one all views share. @param {Catalog} catalog */
 export function fields({ models }) {
   return {
-    models: list(models.map((m) => m.id).filter((id) => id !== "exact")),
     show: list(["T", "phase"]),
     marks: choice("on", ["on", "off"]),
     light: choice("one", ["one", "white"]),
-    ...parameterFields(models),
+    ...modelFields(models),
   };
 }
 
@@ -42,14 +49,14 @@ export function createView({
   const split = createSplit();
   const whitePlace = h("div", { hidden: true });
   const fold = h("details.definitions", h("summary", "Formulas and sources of these curves"));
-  /** Fetched when the fold is opened. @type {{update: (ids: string[]) => void} | null} */
+  /** Fetched when the fold is opened. @type {{update: (ids: readonly string[]) => void} | null} */
   let definitions = null;
   fold.addEventListener(
     "toggle",
     async () => {
       const { createDefinitions } = await import("../models/definitions.js");
       definitions = createDefinitions(catalog.models, typeset, describe, fold);
-      if (now) definitions.update(now.models);
+      if (now) definitions.update(chosenModels(now));
     },
     { once: true },
   );
@@ -175,6 +182,7 @@ export function createView({
     if (!now) return;
     const shown = /** @type {Shown} */ ({
       ...now,
+      models: chosenModels(now),
       marks: now.marks === "on",
     });
     const look = JSON.stringify([
@@ -209,7 +217,7 @@ export function createView({
       now = next;
       answers = nextAnswers;
       controls.update(next, stops(), reasonsOf(answers.curves));
-      definitions?.update(next.models);
+      definitions?.update(chosenModels(next));
       if (!answers.curves) return;
       const reading = readingAt(answers.curves, answers.snell, next.theta_i_deg);
       const { polarization, angle: unit } = next;
@@ -282,11 +290,12 @@ function reasonsOf(curves) {
  */
 export function queries(state, catalog) {
   const media = mediaQuery(state, catalog);
+  const models = chosenModels(state);
   return {
     curves: path("/curves", [
       ...media,
-      state.models.length && `models=exact,${state.models.join(",")}`,
-      ...parameterQuery(state, catalog.models, state.models),
+      models.length && `models=exact,${models.join(",")}`,
+      ...parameterQuery(state, catalog.models, models),
       "landmarks=true",
       "refraction=true",
       state.show.includes("phase") && "phase=true",

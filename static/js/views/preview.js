@@ -9,7 +9,7 @@ import { html, render } from "../page/lit.js";
 import { loadStyle } from "../page/style.js";
 import { createControls } from "../preview/controls.js";
 import { EXAMPLES, isShown } from "../preview/examples.js";
-import { BOUNDS, NONE, previewFields, SEEN } from "../preview/fields.js";
+import { BOUNDS, NONE, previewFields, putRight, SEEN, sided } from "../preview/fields.js";
 import { queries } from "../preview/queries.js";
 import { createSides } from "../preview/sides.js";
 import { createStage } from "../preview/stage.js";
@@ -35,16 +35,18 @@ const NO_WEBGL = html`<p class="no-webgl" role="status"><b>This browser draws no
 /** @param {number} x */
 const short = (x) => (x === 0 ? "0" : x < 0.1 ? significant(x, 2) : plain(x, 3));
 
-/** @param {ViewContext} context */
-export function createView(context) {
-  const { element, catalog, state, actions, say } = context;
+/** @param {ViewContext} given */
+export function createView(given) {
+  const { element, catalog, actions, say } = given;
+  const state = () => sided(given.state());
+  const context = { ...given, state };
   const sides = createSides(catalog);
   const controls = createControls(context);
   const examples = createExamples({
     examples: EXAMPLES,
     name: "preview-examples",
     label: "Examples",
-    onShow: (example) => actions.set(example.state),
+    onShow: ({ state: shown }) => actions.set({ ...shown, ...putRight(state(), shown.right) }),
     isShown,
   });
   const stage = createStage({ ...context, onMeasured: show });
@@ -141,12 +143,13 @@ export function createView(context) {
   let drawn = false;
 
   return {
-    /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
-    update(now, answers, moving) {
+    /** @param {State} next @param {Record<string, any>} answers @param {boolean} moving */
+    update(next, answers, moving) {
+      const now = sided(next);
       if (!moving) takeaway.update(answers);
       // Code and tables arrive later, and change nothing in the picture.
       const parts = Object.keys(queries(now, catalog)).map((name) => answers[name]);
-      if (!changed(now, moving, ...parts)) return;
+      if (!changed(next, moving, ...parts)) return;
       sides.take(answers);
       controls.update(now, { left: sides.reason(now, "left"), right: sides.reason(now, "right") });
       examples.update(now);
@@ -171,8 +174,9 @@ export function createView(context) {
       }
     },
 
-    /** @param {State} now */
-    sentence(now) {
+    /** @param {State} next */
+    sentence(next) {
+      const now = sided(next);
       if (!last) return "";
       const { steps, colors } = last;
       return `${label(now, "left")} against ${label(now, "right")}: up to ${short(steps.largest)} of 255 steps apart, mean CIEDE2000 ${short(colors.mean)}.`;
