@@ -8,7 +8,9 @@ from pathlib import Path
 from app.materials.errors import NoSpectrum, UnknownMaterial, WavelengthOutOfRange
 from app.materials.location import data_directory
 from app.materials.own.material import own
-from app.materials.own.token import BrokenToken, is_own
+from app.materials.own.token import is_own
+from app.materials.published.index import is_published
+from app.materials.published.material import published_preset, published_spectrum
 from app.materials.schema import Category, Database, Index, Preset, SpectrumFile
 from app.materials.search import matches, means_another, names, nearest
 from app.materials.spectrum import Spectrum
@@ -79,10 +81,12 @@ class Catalog:
         Raises
         ------
         UnknownMaterial
-            With the nearest ids, or with what is wrong with an own material's.
+            With the nearest ids, or with what is wrong with that of an own material or a page.
         """
         if is_own(id):
             return own(id).preset
+        if is_published(id):
+            return published_preset(id)
         found = self.find(id)
         if found is None:
             raise UnknownMaterial(id, self.nearest(id))
@@ -91,10 +95,10 @@ class Catalog:
     def find(self, id: str) -> Preset | None:  # noqa: A002
         """Return the preset of an id, else of an alias or name, or None."""
         word = id.strip()
-        if is_own(word):
+        if is_own(word) or is_published(word):
             try:
-                return own(word).preset
-            except BrokenToken:
+                return self.get(word)
+            except UnknownMaterial:
                 return None
         if means_another(word):
             return None
@@ -123,6 +127,8 @@ class Catalog:
         """
         if is_own(id):
             return own(id).spectrum
+        if is_published(id):
+            return published_spectrum(id)
         preset = self.get(id)
         if preset.kind == "single":
             raise NoSpectrum(preset.id)

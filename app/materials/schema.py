@@ -26,7 +26,7 @@ Category = Literal[
     "ceramic",
     "generic",
 ]
-Axis = Literal["isotropic", "o", "e"]
+Axis = Literal["isotropic", "o", "e", "alpha", "beta", "gamma", "para", "perp"]
 Sample = Literal["bulk", "film", "model", "calculated", "unstated"]
 Confidence = Literal["high", "medium", "low", "unstated"]
 Reference = Literal["vacuum", "air"]
@@ -47,9 +47,14 @@ WavelengthIn = Annotated[
 ]
 Id = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9.-]*$")]
 PresetId = Annotated[
-    str, Field(pattern=r"^(own:[A-Za-z0-9_-]+|[A-Za-z0-9][A-Za-z0-9.-]*)$", max_length=12_000)
+    str,
+    Field(
+        pattern=r"^(own:[A-Za-z0-9_-]+|rii:[^/]+/[^/]+/[^/]+|[A-Za-z0-9][A-Za-z0-9.-]*)$",
+        max_length=12_000,
+    ),
 ]
-"""An id of a file, or of a material that people bring, which is its data."""
+"""An id of a file, of a page of refractiveindex.info, or of a material that people bring, which is its
+data."""
 Text = Annotated[str, Field(min_length=1)]
 Sha256 = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
 Channels = tuple[float, float, float]
@@ -91,11 +96,23 @@ class Color:
     luminance: Annotated[float, Field(description="Luminous reflectance Y at normal incidence.")]
 
 
+@dataclass(frozen=True, kw_only=True, config=PASSED_ON)
+class Page:
+    """A page of refractiveindex.info."""
+
+    shelf: Text
+    book: Text
+    page: Text
+    title: Annotated[Text, Field(description="What the book and the page are called there.")]
+
+
 def called(preset_id: str, name: str) -> str:
     """What a preset is called in sentences and names of files."""
-    if not preset_id.startswith("own:"):
+    kind, colon, rest = preset_id.partition(":")
+    if not colon:
         return preset_id
-    return "own-" + (re.sub(r"[^A-Za-z0-9.]+", "-", name).strip("-.") or "material")
+    words = re.sub(r"[^A-Za-z0-9.]+", "-", name if kind == "own" else rest)
+    return f"{kind}-{words.strip('-.') or 'material'}"
 
 
 class Row(Strict):
@@ -191,11 +208,15 @@ class Preset:
     ]
     color: Annotated[Color, Field(description="Under D65, to six decimals.")]
     abbe: Annotated[float | None, Field(description="Abbe number of transparent materials.")] = None
+    page: Annotated[
+        Page | None,
+        Field(description="The page of refractiveindex.info that it is; null of all others."),
+    ] = None
 
     @property
     def called(self) -> str:
         """Its id; of a material that people bring, whose id is its data, something shorter."""
-        return called(self.id, self.name)
+        return called(self.id, self.name) if self.id.startswith("own:") else self.id
 
 
 @dataclass(frozen=True, kw_only=True, config=PASSED_ON)
@@ -274,7 +295,7 @@ class SpectrumFile(Strict):
     The keys of `conditions` carry their unit: `temperature_k`, `pressure_pa`, `film_thickness_nm`.
     """
 
-    id: Id
+    id: PresetId
     name: Text
     category: Category
     axis: Axis

@@ -141,7 +141,8 @@ def test_an_entry_of_the_selection_adds_a_material(
 ) -> None:
     assert colour
     directory = tmp_path / "materials"
-    shutil.copytree(ROOT / "materials" / "tables", directory / "tables")
+    for name in ("tables", "refractiveindex"):
+        shutil.copytree(ROOT / "materials" / name, directory / name)
     (directory / "spectra").mkdir()
     (directory / "selection.yaml").write_text(ENTRY, "utf-8")
     files = import_module("tools.build_materials.files").generated_files(tmp_path)

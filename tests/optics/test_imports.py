@@ -52,7 +52,7 @@ OUTSIDE = {
     "app.engines": {"numpy"},
     "app.export": {"numpy"},
     "app.snippets": set(),
-    "app.materials": {"numpy", "scipy", "pydantic", "yaml", "orjson"},
+    "app.materials": {"cachetools", "numpy", "scipy", "pydantic", "yaml", "orjson"},
     "app.claims": {"numpy"},
 }
 WEB = {"fastapi", "starlette", "uvicorn", "pydantic", "pydantic_core", "orjson", "typer"}

@@ -9,11 +9,13 @@ from typing import Any
 import numpy as np
 from pydantic import TypeAdapter
 
+from app.materials.published.index import FILE as PUBLISHED
 from app.materials.schema import Database, Preset, Provenance, SpectrumFile
 from app.materials.spectrum import Spectrum
 from tools.build_materials.color_tables import color_tables
 from tools.build_materials.database import read_page, release
 from tools.build_materials.index import row_presets, spectrum_preset
+from tools.build_materials.published import published_index
 from tools.build_materials.samples import package_samples
 from tools.build_materials.selection import Choice, choices, read_selection, read_tables
 from tools.build_materials.writing import list_text, object_text
@@ -42,6 +44,9 @@ def generated_files(root: Path) -> dict[str, str]:
         presets.extend(row_presets(table))
     _refuse_ambiguity(presets)
     listed = TypeAdapter(list[Preset]).dump_python(presets, mode="json", exclude_defaults=True)
+    files[f"materials/{PUBLISHED}"] = published_index(
+        root, list(choices(read_selection(directory)))
+    )
     files["materials/index.json"] = list_text({"database": asdict(database)}, "presets", listed)
     files[SAMPLES] = list_text({"package": database.package}, "samples", samples)
     files["materials/lock.json"] = _lock(database, pages, files)
@@ -52,8 +57,8 @@ def spectrum_file(choice: Choice, database: Database) -> SpectrumFile:
     """Join what the selection says of a page to what the page holds."""
     entry = choice.entry
     page = read_page(entry.page)
-    if page.conditions.get("direction", "isotropic") != entry.axis:
-        raise ValueError(f"{entry.page} is of axis {page.conditions.get('direction')}")
+    if page.told.conditions.get("direction", "isotropic") != entry.axis:
+        raise ValueError(f"{entry.page} is of axis {page.told.conditions.get('direction')}")
     file = SpectrumFile(
         id=choice.id,
         name=choice.name,
@@ -61,7 +66,7 @@ def spectrum_file(choice: Choice, database: Database) -> SpectrumFile:
         axis=entry.axis,
         sample=entry.sample,
         confidence=entry.confidence,
-        conditions=page.conditions,
+        conditions=page.told.conditions,
         relative_to=entry.relative_to,
         wavelength_in=entry.wavelength_in,
         note=entry.note,
@@ -71,12 +76,12 @@ def spectrum_file(choice: Choice, database: Database) -> SpectrumFile:
             tag=database.tag,
             page=entry.page,
             file=page.file,
-            sha256=page.sha256,
-            reference=page.reference,
-            doi=page.doi,
-            links=page.links,
+            sha256=page.told.sha256,
+            reference=page.told.reference,
+            doi=page.told.doi,
+            links=page.told.links,
             licence=database.licence,
-            comments=page.comments,
+            comments=page.told.comments,
         ),
         n=page.n,
         k=page.k,

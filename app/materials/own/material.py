@@ -6,18 +6,11 @@ from dataclasses import dataclass
 from functools import lru_cache
 from hashlib import sha256
 
-import numpy as np
-
-from app.materials.appearance import appearance
 from app.materials.own.token import BrokenToken, OwnData, read
-from app.materials.schema import Channels, Color, Preset, Provenance, SpectrumFile, called
+from app.materials.schema import Preset, Provenance, SpectrumFile, called
 from app.materials.spectrum import Spectrum
+from app.materials.summary import summary
 from app.optics.errors import OutOfRange
-from app.optics.interface import Interface
-from app.optics.parameters import Array
-
-REFERENCE_NM = 587.6
-"""Where n and k are told unless a wavelength is given, or the nearest end of what is known."""
 
 SOURCE = "data of your own, carried by the id"
 
@@ -83,39 +76,15 @@ def _file(token: str, data: OwnData) -> SpectrumFile:
 
 
 def _preset(token: str, data: OwnData, spectrum: Spectrum) -> Preset:
-    low, high = spectrum.range_nm
-    at = min(max(REFERENCE_NM, low), high)
-    absorbs = spectrum.k(at)
-    k = None if absorbs is None else float(absorbs)
-    n_absolute = float(spectrum.n_absolute(at))
-    look = appearance(spectrum)
     return Preset(
         id=token,
         name=data.name,
         category="generic",
         kind="spectrum",
-        n=float(spectrum.n(at)),
-        n_absolute=n_absolute,
-        k=k,
-        wavelength_nm=at,
         relative_to=data.relative_to,
-        n_range_nm=spectrum.n_range_nm,
-        k_range_nm=spectrum.k_range_nm,
         sample="unstated",
         confidence="unstated",
         source=SOURCE,
         licence=LICENCE,
-        warnings=look.warnings,
-        F0=float(Interface(n_t=n_absolute, k_t=k or 0.0).F0),
-        color=Color(
-            F0=_channels(look.F0),
-            F82=_channels(look.F82),
-            F82_tint=_channels(look.F82_tint),
-            luminance=look.luminance,
-        ),
+        **summary(spectrum),
     )
-
-
-def _channels(values: Array) -> Channels:
-    red, green, blue = np.round(values, 6).tolist()
-    return red, green, blue

@@ -49,8 +49,7 @@ def read(files: Sequence[tuple[str, bytes]], choices: Choices | None = None) -> 
     if len(documents) > 1 and kind.id != "spd":
         names = ", ".join(d.name for d in documents)
         raise Unreadable("file", names, "one file; only eta and k of .spd come in two")
-    content = kind.read(documents, notes)
-    return _reading(documents[0], kind, content, notes)
+    return reading_of(documents[0], kind, kind.read(documents, notes), notes)
 
 
 def _format(documents: Sequence[Document], notes: Notes) -> Format:
@@ -67,7 +66,8 @@ def _format(documents: Sequence[Document], notes: Notes) -> Format:
     return kind
 
 
-def _reading(first: Document, kind: Format, content: Content, notes: Notes) -> Reading:
+def reading_of(first: Document, kind: Format, content: Content, notes: Notes) -> Reading:
+    """Make n and k of what a format found in the first file; errors as of `read`."""
     found = constants(content.tables, notes)
     n: Quantity | None = found.n
     if content.formula is not None:

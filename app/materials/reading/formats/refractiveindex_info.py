@@ -63,7 +63,17 @@ def page(text: str, name: str) -> dict[str, Any]:
 
 def _read(documents: Sequence[Document], notes: Notes) -> Content:
     document = documents[0]
-    loaded = page(document.text, document.name)
+    return content(document, page(document.text, document.name), notes)
+
+
+def content(document: Document, loaded: dict[str, Any], notes: Notes) -> Content:
+    """Find n and k in a page that was read.
+
+    Raises
+    ------
+    Unreadable
+        If there is no n, or something that is neither a table nor a formula.
+    """
     starts = _data_lines(document.lines)
     tables: list[Table] = []
     formula: Formula | None = None

@@ -1,0 +1,1 @@
+"""Pages of refractiveindex.info as materials, by ids `rii:SHELF/BOOK/PAGE`."""
