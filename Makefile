@@ -19,7 +19,7 @@ help: ## list the targets
 	@grep -E '^[a-z]+:.*##' Makefile | sed -E 's/:.*## /\t/' | expand -t 12
 
 run: $(VENV)/run.stamp ## serve on 127.0.0.1:8000 (FRESNEL_HOST and FRESNEL_PORT change it)
-	@$(BIN)/fresnel-explorer
+	@$(BIN)/fresnel-explorer serve
 
 test: lint types unit browser ## check everything, as .ci/run does
 

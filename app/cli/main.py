@@ -15,8 +15,7 @@ from app.settings import PREFIX, Settings, without_effect
 cli = typer.Typer(
     cls=queries.WithQueries,
     add_completion=True,
-    no_args_is_help=False,
-    help="Reflection at smooth surfaces: the page, its REST API and the API's queries.",
+    no_args_is_help=False,  # which ends with the status of a wrong call
 )
 
 
@@ -33,9 +32,9 @@ def default(
         bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print it.")
     ] = False,
 ) -> None:
-    """Serve the page and the API, unless a command says otherwise."""
+    """Reflection at smooth surfaces: the page, its REST API and the API's queries."""
     if context.invoked_subcommand is None:
-        serve()
+        typer.echo(context.get_help())
 
 
 @cli.command()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from inspect import Parameter
 from pathlib import Path
 from typing import Annotated, Any, Literal, get_args, get_origin
@@ -59,7 +59,13 @@ def _completion(name: str, choices: tuple[str, ...]) -> Callable[[str], list[str
 
     if choices:
         return lambda incomplete: [c for c in choices if c.startswith(incomplete)]
-    offered = {"model": models, "models": models, "material": materials, "incident": materials}
+    offered = {
+        "model": models,
+        "model_id": models,
+        "models": models,
+        "material": materials,
+        "incident": materials,
+    }
     return offered.get(name)
 
 
@@ -96,8 +102,15 @@ def parameter(name: str, info: FieldInfo, panel: str = "Query") -> Parameter:
     return _keyword(name, bool, option, False) if flag else _keyword(name, str | None, option, None)
 
 
-def output_parameters(*, figure: bool) -> list[Parameter]:
-    """Options that say what becomes of the answer, one that can be drawn or not."""
+def in_colors() -> Parameter:
+    """Whether errors are those of a material's R, G and B."""
+    said = "Errors of R, G and B against the material's spectrum, in place of one wavelength's."
+    declared = typer.Option("--rgb", help=said, rich_help_panel="Query")
+    return _keyword(f"{OUTPUT}rgb", bool, declared, False)
+
+
+def output_parameters(*, figure: bool, endings: Collection[str] = ()) -> list[Parameter]:
+    """Options that say what becomes of an answer that can be drawn, is a file, or neither."""
 
     def option(name: str, kind: Any, default: Any, text: str, **more: Any) -> Parameter:
         declared = typer.Option(f"--{name}", help=text, rich_help_panel="Output", **more)
@@ -106,7 +119,10 @@ def output_parameters(*, figure: bool) -> list[Parameter]:
     printed = "As what to print it; JSON and CSV are those of the API."
     choice = {"metavar": "|".join(FORMATS), "autocompletion": _completion("format", FORMATS)}
     offered = [option("format", str, "table", printed, parser=_form, **choice)]
-    if figure:
+    if endings:
+        saved = f"Write it to a file that ends in {', '.join(filter(None, endings))}."
+        offered.append(option("save", Path | None, None, saved, dir_okay=False))
+    elif figure:
         saved = f"Write the figure to a file that ends in {', '.join(_PICTURES)}."
         offered += [
             option("plot", bool, False, "Draw it in the terminal."),

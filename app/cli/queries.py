@@ -1,5 +1,7 @@
 """Commands that ask the API's routes in this process: same parameters, same answers, no server."""
 
+from __future__ import annotations
+
 import inspect
 import sys
 from collections.abc import Callable, Iterator, Mapping
@@ -23,7 +25,14 @@ from app.answers.rounding import rounded
 from app.api import PREFIX
 from app.api.table import RouteTable
 from app.cli import plots, reading, tables
-from app.cli.options import FILE_PANEL, OUTPUT, argument, output_parameters, parameter
+from app.cli.options import (
+    FILE_PANEL,
+    OUTPUT,
+    argument,
+    in_colors,
+    output_parameters,
+    parameter,
+)
 from app.cli.tables import Sheets
 from app.http.problems import PROBLEMS, problem_of
 from app.http.writing import csv_bytes, write
@@ -51,6 +60,14 @@ class Command:
     """Parameters that tables take unless they are given."""
     reads_files: bool = False
     """Whether a file may stand in the argument's place."""
+    endings: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    """What the endings of the files that --save writes say as parameters; "" are all others."""
+    text: Callable[[Any], str] | None = None
+    """The answer as it is printed, where that is no table."""
+    read: Callable[[Any], Any] = lambda answer: answer
+    """What the route's answer is taken for."""
+    rgb: Command | None = None
+    """What --rgb asks in its place, if anything."""
 
     @property
     def argument(self) -> str | None:
@@ -59,6 +76,24 @@ class Command:
 
 
 _ERRORS = ("max_abs", "max_abs_at_deg", "rms", "cosine_weighted_mean", "max_relative")
+
+_LANGUAGES = {
+    "glsl": "glsl",
+    "hlsl": "hlsl",
+    "wgsl": "wgsl",
+    "osl": "osl",
+    "js": "javascript",
+    "py": "python",
+}
+
+_IN_COLORS = Command(
+    name="errors",
+    route="/materials/{material}/curves",
+    help="Errors of R, G and B",
+    sheets=tables.color_errors,
+    figure="material",
+    in_table={"models": "schlick", "wavelengths_nm": "550"},
+)
 
 COMMANDS = (
     Command(
@@ -90,9 +125,11 @@ COMMANDS = (
         name="errors",
         route="/errors",
         help="How wrong models are: fresnel-explorer errors --n_t 1.5 --models "
-        "schlick,one_minus_cos",
+        "schlick,one_minus_cos; of a metal in color: errors --rgb --material Au --models "
+        "f82_tint,schlick",
         sheets=tables.listed("errors", "model", "quantity", *_ERRORS, "reason"),
         figure="compare",
+        rgb=_IN_COLORS,
     ),
     Command(
         name="recommend",
@@ -134,6 +171,28 @@ COMMANDS = (
         route="/models",
         help="All models, exact and approximate.",
         sheets=tables.listed("models", "id", "title", "kind", "applies_to"),
+    ),
+    Command(
+        name="shader",
+        route="/shaders/{model_id}",
+        help="A model as code to paste: fresnel-explorer shader schlick --language hlsl, "
+        "fresnel-explorer shader f82_tint --channels 3 --save f82_tint.wgsl",
+        sheets=tables.listed("arguments", "name", "symbol", "description"),
+        text=lambda answer: str(answer.code),
+        endings={
+            **{end: {"language": language} for end, language in _LANGUAGES.items()},
+            "": {},
+        },
+    ),
+    Command(
+        name="lut",
+        route="/lut",
+        help="A lookup table for a renderer: fresnel-explorer lut --n_t 1.5 --size 64 "
+        "--save fresnel.exr",
+        sheets=tables.lookup,
+        read=lambda answer: rounded(tables.lookup_in(answer), int(_DIGITS)),
+        in_table={"size": "17"},
+        endings={end: {"format": end} for end in ("csv", "exr", "json", "npy", "png")},
     ),
     Command(
         name="claims",
@@ -216,18 +275,27 @@ def _run(command: Command, given: dict[str, str], output: Mapping[str, Any]) -> 
         if chosen:
             option = next(iter(chosen))
             raise typer.BadParameter(f"{name} is no file", param_hint=f"--{option}")
+    if output["rgb"] and command.rgb:
+        command = command.rgb
+        path = command.route
+        if "material" not in given:
+            raise typer.BadParameter("it needs a --material with a spectrum", param_hint="--rgb")
     if command.argument:
         named = {command.argument: given.pop(command.argument)}
         path = path.format_map({name: quote(value, safe="") for name, value in named.items()})
+    if command is _IN_COLORS:
+        given = {"models": command.in_table["models"]} | given
     fields, form = _fields(path), output["format"]
-    if output["plot"] or output["open"] or output["save"]:
+    if output["save"] and command.endings:
+        _save(command, path, given, output["save"])
+    elif output["plot"] or output["open"] or output["save"]:
         _draw(command, given | named, output)
     elif form == "json" and sys.stdout.isatty():
         indented = orjson.OPT_SERIALIZE_NUMPY | orjson.OPT_INDENT_2
         typer.echo(orjson.dumps(_ask(path, given), option=indented))
     elif form == "json":
         typer.echo(_written(path, given))
-    elif form == "csv" and "format" in fields:
+    elif form == "csv" and "format" in fields and not command.text:
         written = _written(path, {**given, "format": "csv"}).decode()
         typer.echo(written.replace("\r\n", "\n"), nl=False)
     elif form == "csv":
@@ -235,7 +303,28 @@ def _run(command: Command, given: dict[str, str], output: Mapping[str, Any]) -> 
     else:
         usual = {"digits": _DIGITS, **command.in_table}
         given = {name: v for name, v in usual.items() if name in fields} | given
-        tables.print_tables(command.sheets(_ask(path, given)))
+        answer = command.read(_ask(path, given))
+        if command.text:
+            typer.echo(command.text(answer), nl=False)
+        else:
+            tables.print_tables(command.sheets(answer), tables.heading(answer))
+
+
+def _save(command: Command, path: str, given: Mapping[str, str], file: Path) -> None:
+    """Write the answer into a file, whose ending says as what."""
+    ending = file.suffix.removeprefix(".").lower()
+    meant = command.endings.get(ending, command.endings.get(""))
+    if meant is None:
+        named = ", ".join(filter(None, command.endings))
+        raise typer.BadParameter(f"{file}: it ends in none of {named}", param_hint="--save")
+    for name, value in meant.items():
+        if given.get(name, value) != value:
+            said = f"{file}: its ending says {name} = {value}, and --{name} says {given[name]}"
+            raise typer.BadParameter(said, param_hint="--save")
+    text = {"format": "text"} if command.text else {}
+    body = _written(path, {**given, **meant, **text})
+    file.write_bytes(body)
+    typer.echo(f"{file}: {len(body)} bytes", err=True)
 
 
 def _run_file(
@@ -299,16 +388,18 @@ class _InOurUnits(TyperCommand):
 
 def _command(command: Command) -> Callable[..., None]:
     """Write the function of a command; typer reads its options from its signature."""
-    fields = _fields(command.route.replace("{material}", "Au"))
+    fields = _fields(command.route.format(material="Au", model_id="schlick"))
     aliases = {name: info.alias or name for name, info in fields.items()}
     parameters = [argument(command.argument)] if command.argument else []
     parameters += [parameter(n, info) for n, info in fields.items() if n != "format"]
     if command.reads_files:
         parameters += [parameter(name, info, FILE_PANEL) for name, info in reading.FIELDS.items()]
-    parameters += output_parameters(figure=command.figure is not None)
+    if command.rgb:
+        parameters.append(in_colors())
+    parameters += output_parameters(figure=command.figure is not None, endings=command.endings)
 
     def run(**values: Any) -> None:
-        output = {"plot": False, "open": False, "save": None}
+        output = {"plot": False, "open": False, "save": None, "rgb": False}
         given = {}
         for name, value in values.items():
             if name.startswith(OUTPUT):

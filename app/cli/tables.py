@@ -3,19 +3,26 @@
 import csv
 import io
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from typing import Any
 
 import numpy as np
+import orjson
 import typer
 from rich import box
 from rich.console import Console
 from rich.table import Table
+from starlette.responses import Response
 
 from app.answers.conversions import Conversions
 from app.answers.curves import Curves
 from app.answers.film_spectrum import FilmSpectrum
+from app.answers.interface import InterfaceFacts, ResolvedPreset
+from app.answers.lookup import CoatedLookupTable, InterpolationError, LookupTable, TableAxis
+from app.answers.materials.curves import MaterialCurves
+from app.answers.materials.rgb import ChannelError
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +100,75 @@ def conversions(answer: Conversions) -> list[Sheet]:
     return [Sheet(("form", "name", "value", "status", "why"), rows)]
 
 
+def color_errors(answer: MaterialCurves) -> list[Sheet]:
+    """A model and channel a row, with its errors against the spectrum."""
+    header = [f.name for f in fields(ChannelError) if f.name != "error_at_max"]
+    rows = [
+        (curve.model, channel.name, *(getattr(error, name) for name in header))
+        for curve in (answer.rgb.curves if answer.rgb else ())
+        if curve.errors is not None
+        for channel in fields(curve.errors)
+        for error in [getattr(curve.errors, channel.name)]
+    ]
+    return [Sheet(("model", "channel", *header), rows)]
+
+
+def lookup_in(sent: Response) -> LookupTable:
+    """Read the answer of /lut, which the route writes itself, from its JSON."""
+    told = orjson.loads(bytes(sent.body))
+    kind = CoatedLookupTable if "layers" in told else LookupTable
+    facts = told["interface"]
+    for side in ("incident", "material") if facts else ():
+        facts[side] = facts[side] and ResolvedPreset(**facts[side])
+    told |= {
+        "interface": facts and InterfaceFacts(**facts),
+        "axes": [TableAxis(**axis) for axis in told["axes"]],
+        "error": InterpolationError(**told["error"]),
+        "texels": np.array(told["texels"]),
+    }
+    return kind(**told)
+
+
+def lookup(answer: LookupTable) -> list[Sheet]:
+    """A texel a row."""
+    columns = answer.table().columns
+    return [Sheet(list(columns), list(zip(*columns.values(), strict=True)))]
+
+
+def heading(answer: Any) -> str:
+    """The two media that an answer is about and the wavelength, where it knows them."""
+    if isinstance(answer, MaterialCurves):
+        seen = answer.rgb
+        light = f" in linear sRGB under {seen.illuminant}, {seen.observer} observer" if seen else ""
+        incident = answer.front.incident
+        before = f"n_i = {cell(answer.front.n_i)}" if incident is None else _named(incident)
+        return f"{before}; {_named(answer.material)}, its spectrum{light}"
+    if isinstance(answer, LookupTable):
+        off = f"; largest error of reading between texels {answer.error.max_abs:.3g}"
+        return f"{answer.title()}{off}" if answer.interface is None else f"{_media(answer)}{off}"
+    return _media(answer)
+
+
+def _media(answer: Any) -> str:
+    facts = getattr(answer, "interface", None)
+    if not isinstance(facts, InterfaceFacts):
+        return ""
+    front = f"n_i = {cell(facts.n_i)}{_preset(facts.incident)}"
+    return f"{front}; n_t = {cell(facts.n_t)}, k_t = {cell(facts.k_t)}{_preset(facts.material)}"
+
+
+def _named(material: Any) -> str:
+    return f"{material.name} ({material.id})"
+
+
+def _preset(resolved: ResolvedPreset | None) -> str:
+    if resolved is None:
+        return ""
+    nm = resolved.wavelength_nm
+    at = "" if nm is None else f", at {cell(nm)} nm"
+    return f" ({resolved.name}, {resolved.id}{at})"
+
+
 def cell(value: Any) -> str:
     """Write a value: numbers as short as they are, nothing for what is not known."""
     if value is None:
@@ -116,16 +192,75 @@ def write_csv(sheets: Sequence[Sheet]) -> str:
     return text.getvalue()
 
 
-def print_tables(sheets: Sequence[Sheet]) -> None:
-    """Print tables as wide as the terminal, or as they are where nobody looks at them."""
+def print_tables(sheets: Sequence[Sheet], said: str = "") -> None:
+    """Print tables below what they are about, no wider than the terminal where there is one."""
     console = Console(highlight=False)
     if console.is_terminal:
-        console.print(*map(_drawn, sheets))
+        if said:
+            console.print(said, markup=False)
+        for sheet in sheets:
+            console.print(*map(_drawn, within(sheet, console.width)))
         return
     text = io.StringIO()
     Console(file=text, highlight=False, width=100_000).print(*map(_drawn, sheets))
     lines = [line.rstrip() for line in text.getvalue().splitlines()]
-    typer.echo("\n".join(lines).strip("\n"))
+    typer.echo("\n".join([*([said, ""] if said else []), "\n".join(lines).strip("\n")]))
+
+
+_PROSE_WIDTH = 24
+"""Columns that sentences are broken to, where they must be."""
+
+
+def within(sheet: Sheet, width: int) -> list[Sheet]:
+    """Break a table that is wider than the terminal into several, each with the first column.
+
+    Before that columns without any value are left out and headers are broken at their underscores.
+    """
+    columns = [[cell(row[at]) for row in sheet.rows] for at in range(len(sheet.header))]
+    if _width(map(_widest, sheet.header, columns)) <= width:
+        return [sheet]
+    kept = [at for at, column in enumerate(columns) if any(column)]
+    header = {at: _broken(sheet.header[at], max(map(len, columns[at]))) for at in kept}
+    least = {
+        at: _PROSE_WIDTH if _is_prose(columns[at]) else _widest(header[at], columns[at])
+        for at in kept
+    }
+    parts: list[list[int]] = []
+    for at in kept:
+        if not parts or _width(least[i] for i in [*parts[-1], at]) > width:
+            parts.append([] if not parts else [kept[0]])
+        parts[-1].append(at)
+    return [
+        Sheet(
+            [header[at] for at in part],
+            [[row[at] for at in part] for row in sheet.rows],
+            "" if number else sheet.title,
+        )
+        for number, part in enumerate(parts)
+    ]
+
+
+def _width(columns: Iterable[int]) -> int:
+    """Of a table: a blank on each side of a column, one between them and one at each end."""
+    return sum(column + 3 for column in columns) + 1
+
+
+def _widest(header: str, column: Sequence[str]) -> int:
+    return max(map(len, [*header.split("\n"), *column]))
+
+
+def _is_prose(column: Sequence[str]) -> bool:
+    return max(map(len, column)) > _PROSE_WIDTH and any(" " in text for text in column)
+
+
+def _broken(name: str, width: int) -> str:
+    """Break a header at its underscores and dots into lines no longer than the column, if it can be."""
+    lines = [""]
+    for part in re.findall(r"[^_.]+[_.]*", name):
+        if lines[-1] and len(lines[-1] + part) > width:
+            lines.append("")
+        lines[-1] += part
+    return "\n".join(lines)
 
 
 def _drawn(sheet: Sheet) -> Table:

@@ -62,12 +62,14 @@ class Context:
 
 
 def media(interface: InterfaceFacts) -> str:
-    """Name both media: `n = 1 → 1.5`, with the presets' names where there are any."""
+    """Name both media: `n = 1 → 1.5`, with a preset's name and wavelength where there is one."""
     front = interface.incident.name if interface.incident else f"{interface.n_i:.6g}"
     k = f" + {interface.k_t:.6g}i" if interface.k_t else ""
     behind = f"{interface.n_t:.6g}{k}"
     if interface.material:
-        behind = f"{interface.material.name} ({behind})"
+        nm = interface.material.wavelength_nm
+        at = "" if nm is None else f" at {nm:g} nm"
+        behind = f"{interface.material.name} ({behind}{at})"
     return f"n = {front} → {behind}"
 
 

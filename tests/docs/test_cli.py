@@ -62,6 +62,11 @@ def test_the_command_is_installed() -> None:
     assert COMMAND.is_file()
 
 
+def test_without_a_command_it_tells_what_there_is() -> None:
+    assert run() == run("--help")
+    assert run()[0] == 0
+
+
 def test_version() -> None:
     code, printed = run("--version")
     assert (code, printed.strip()) == (0, VERSION)
@@ -90,7 +95,7 @@ def test_a_bad_port_is_told_without_a_trace(port: str) -> None:
     code, printed = run("serve", f"--port={port}")
     assert code == 2
     assert "--port" in printed
-    code, printed = run(FRESNEL_PORT=port)
+    code, printed = run("serve", FRESNEL_PORT=port)
     assert code == 2
     assert "FRESNEL_PORT" in printed
     assert port in printed
@@ -107,7 +112,7 @@ def test_a_bad_port_is_told_without_a_trace(port: str) -> None:
     ],
 )
 def test_a_setting_that_cannot_work_is_refused_by_its_name(variable: str, value: str) -> None:
-    code, printed = run(**{variable: value})
+    code, printed = run("serve", **{variable: value})
     assert code == 2
     assert f"Error: {variable} = {value}: " in printed  # and no option
     assert "Traceback" not in printed
@@ -125,7 +130,8 @@ def test_all_settings_that_are_wrong_are_told() -> None:
 
 
 def test_a_misspelt_setting_is_told() -> None:
-    code, printed = run(FRESNEL_PORT="http", FRESNEL_WORKRES="4", FRESNEL_QQQ="", fresnel_host="x")
+    wrong = {"FRESNEL_WORKRES": "4", "FRESNEL_QQQ": "", "fresnel_host": "x"}
+    code, printed = run("serve", FRESNEL_PORT="http", **wrong)
     assert code == 2  # for the port: else it would serve
     assert (
         "FRESNEL_WORKRES is no setting and has no effect: did you mean FRESNEL_WORKERS?" in printed
@@ -152,8 +158,8 @@ def test_prints_where_it_serves_and_serves_there() -> None:
         assert (process.returncode, errors) == (0, "")
 
 
-def test_no_command_serves_where_the_environment_says() -> None:
-    with serving(FRESNEL_HOST="localhost", FRESNEL_PORT="0") as (_, line):
+def test_it_serves_where_the_environment_says() -> None:
+    with serving("serve", FRESNEL_HOST="localhost", FRESNEL_PORT="0") as (_, line):
         assert " at http://localhost:" in line
         assert health(line.split()[-1])["status"] == "ok"
 
