@@ -279,6 +279,14 @@ test("what is converted follows the media, the boxes and the picture's color", (
     "/convert?from=f0_srgb&hex=FFE29b&n_i=1.33",
   );
   assert.equal(
+    convertPath(stateWith({ from: "nk", given: "0,27;2,9" })),
+    "/convert?from=nk&n_t=0.27&k_t=2.9",
+  );
+  assert.equal(
+    convertPath(stateWith({ from: "f0", given: "1,5" })), // a list that is not whole, for the server to refuse
+    "/convert?from=f0&F0=1,5",
+  );
+  assert.equal(
     convertPath(stateWith({ from: "rg", given: "0.9, 0.8,0.7;0.5", seen_from: 1.5 })),
     "/convert?from=rg&r=0.9,0.8,0.7&g=0.5&seen_from=1.5",
   );

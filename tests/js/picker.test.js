@@ -5,6 +5,7 @@ import { sentence, spread } from "../../static/js/explore/dispersion.js";
 import {
   createConstants,
   isDispersive,
+  knownAs,
   knownRange,
   mediaAt,
   spreadPaths,
@@ -167,4 +168,16 @@ test("rays are read from the curves of the media at hand", () => {
   const kept = rays.map((r) => ({ ...r, theta_t_deg: null }));
   assert.match(sentence(kept, STATE, true), /totally reflected/);
   assert.match(sentence([], STATE, false), /name a medium/);
+});
+
+test("an index of one's own stays one, and is like a medium that has it", () => {
+  const materials = [medium("air", { n_absolute: 1 }), medium("quartz", { n_absolute: 1.544 })];
+  const presets = { n_i: 1, n_t: 1.5 };
+  /** @param {string | null} id @param {number} n @param {number} [k] */
+  const known = (id, n, k = 0) => knownAs(materials, id, n, k, presets);
+  assert.deepEqual(known(null, 1.544), { id: null, like: "quartz" });
+  assert.deepEqual(known("quartz", 1.544), { id: "quartz", like: null });
+  assert.deepEqual(known(null, 1.5441), { id: null, like: null });
+  assert.deepEqual(known(null, 1.544, 0.1), { id: null, like: null });
+  assert.deepEqual(known(null, 1), { id: "air", like: null }); // where the page starts
 });

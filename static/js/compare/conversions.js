@@ -38,16 +38,26 @@ export function texts({ from, given }) {
   return inputs.map((_, i) => (parts[i] ?? "").trim());
 }
 
+/** What is one number and no color. */
+const SINGLE = ["n_t", "k_t", "specular", "reflectance"];
+
+/** What is given, as the server reads it: 1,5 is 1.5 where no list can be meant. @param {string} name @param {string} text */
+function sent(name, text) {
+  const bare = text.replace(/\s+/g, "").replace(/^#/, "");
+  return SINGLE.includes(name) ? bare.replace(/^(\d*),(\d+)$/, "$1.$2") : bare;
+}
+
 /** @param {State} state @returns {string[]} what is given, as parts of a query */
 function given(state) {
   const { from, n_t, k_t } = state;
   if (from === "media")
     return k_t > 0 ? ["from=nk", `n_t=${n_t}`, `k_t=${k_t}`] : ["from=ior", `n_t=${n_t}`];
-  const values = texts(state).map((text) => text.replace(/\s+/g, "").replace(/^#/, ""));
+  const values = texts(state);
   return [
     `from=${from === "hex" ? "f0_srgb" : from}`,
     ...(SOURCES[from]?.inputs ?? []).map(
-      ({ name }, i) => `${name}=${encodeURIComponent(values[i] ?? "").replace(/%2C/g, ",")}`,
+      ({ name }, i) =>
+        `${name}=${encodeURIComponent(sent(name, values[i] ?? "")).replace(/%2C/g, ",")}`,
     ),
   ];
 }

@@ -2,6 +2,7 @@
 
 import { createSelect } from "../controls/select.js";
 import { createTyped } from "../controls/typed.js";
+import { evaluate } from "../numbers/expression.js";
 import { plain } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
 import { h, symbol } from "../page/dom.js";
@@ -56,7 +57,7 @@ export function createConvert({ catalog, state, actions }) {
       "aria-describedby": DESCRIBED,
     },
     parse(text) {
-      const value = text === "" ? null : Number(text);
+      const value = text === "" ? null : evaluate(text);
       if (value === null || (value >= minimum && value <= maximum)) return value;
       throw new Error(`allowed is ${plain(minimum)} to ${plain(maximum)}`);
     },

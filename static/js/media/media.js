@@ -278,8 +278,8 @@ export function createInterface({
       const surface = JSON.stringify([incident, material, n_i, n_t, k_t]);
       if (surface === shown) return;
       shown = surface;
-      from.show(nameable(materials, incident, n_i, 0));
-      into.show(nameable(materials, material, n_t, k_t));
+      from.show(knownAs(materials, incident, n_i, 0, presets));
+      into.show(knownAs(materials, material, n_t, k_t, presets));
       put(swap, "aria-disabled", String(k_t > 0));
       const left = materials.find((m) => m.id === incident)?.k;
       const why = [
@@ -313,10 +313,11 @@ function createField({ label, ...options }) {
   const element = h("span.picker.media-picker", input);
   /** @type {string | null} */
   let chosen = null;
+  let own = "";
   /** @param {string | null} [id] */
   const written = (id = chosen) => {
     const material = materials.find((m) => m.id === id);
-    return material ? `${material.name}\u2003${note(material)}` : "";
+    return material ? `${material.name}\u2003${note(material)}` : own;
   };
 
   /** @type {Awaited<ReturnType<typeof import("../controls/picker.js").createList>> | null} */
@@ -338,10 +339,13 @@ function createField({ label, ...options }) {
 
   return {
     element,
-    /** @param {string | null} id */
-    show(id) {
-      if (id === chosen) return;
+    /** @param {Known} known */
+    show({ id, like }) {
+      const found = materials.find((m) => m.id === like);
+      const said = found ? `like ${found.name}\u2003${note(found)}` : "";
+      if (id === chosen && said === own) return;
       chosen = id;
+      own = said;
       if (!list?.isOpen()) input.value = written();
     },
   };
@@ -355,7 +359,7 @@ function createField({ label, ...options }) {
  * @param {number} k
  * @returns {string | null}
  */
-export function nameable(materials, id, n, k) {
+function nameable(materials, id, n, k) {
   if (id !== null) return id;
   let known = named.get(materials);
   if (!known) {
@@ -366,6 +370,27 @@ export function nameable(materials, id, n, k) {
     named.set(materials, known);
   }
   return known.get(indexKey(n, k)) ?? null;
+}
+
+/**
+ * @typedef {{id: string | null, like: string | null}} Known
+ */
+
+/**
+ * What a medium is: a preset, by its name or where the page starts, or numbers of one's own, which may be
+ * like a preset's.
+ * @param {Material[]} materials
+ * @param {string | null} id
+ * @param {number} n
+ * @param {number} k
+ * @param {State} presets where the page starts
+ * @returns {Known}
+ */
+export function knownAs(materials, id, n, k, presets) {
+  const found = nameable(materials, id, n, k);
+  const start = k === 0 && (n === presets.n_i || n === presets.n_t);
+  const named = id !== null || start;
+  return named ? { id: found, like: null } : { id: null, like: found };
 }
 
 /** The presets by their indices: every frame of a drag asks. @type {WeakMap<Material[], Map<string, string>>} */

@@ -1,13 +1,12 @@
-/** Numbers as people type them: 1/1.5, sqrt(2), 2*1.33, 3e-2, 56.3°, 1.2 rad. */
+/** Numbers as people type them: 1/1.5, sqrt(2), 2*1.33, 3e-2, 1,5, 56.3°, 1.2 rad. */
 
 export class ExpressionError extends Error {}
 
-const TOKEN = /\s*(?:(\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?)|(sqrt|pi|√|π)|([-+*/^()]))/iy;
+const TOKEN = /\s*(?:((?:\d*,\d+|\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)|(sqrt|pi|√|π)|([-+*/^()]))/iy;
 
 /** @param {string} text @returns {(number | string)[]} */
 function tokens(text) {
   const clean = text.replace(/[−–]/g, "-").replace(/[×·]/g, "*").replace(/÷/g, "/").trim();
-  if (/\d,\d/.test(clean)) throw new ExpressionError("the decimal sign is a point");
   /** @type {(number | string)[]} */
   const found = [];
   TOKEN.lastIndex = 0;
@@ -15,7 +14,7 @@ function tokens(text) {
     const match = TOKEN.exec(clean);
     if (!match)
       throw new ExpressionError("it is no number and no expression such as 1/1.5 or sqrt(2)");
-    if (match[1] !== undefined) found.push(Number(match[1]));
+    if (match[1] !== undefined) found.push(Number(match[1].replace(",", ".")));
     else
       found.push(
         (match[2] ?? match[3] ?? "").toLowerCase().replace("√", "sqrt").replace("π", "pi"),

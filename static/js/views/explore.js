@@ -5,7 +5,7 @@ import { allLandmarksOf, axesOf, marksOf, readingAt, tracesOf } from "../curves/
 import { createDiagram, createSplit } from "../diagram/diagram.js";
 import { createControls } from "../explore/controls.js";
 import { createNumbers } from "../explore/numbers.js";
-import { nameable, spreadPaths } from "../media/media.js";
+import { knownAs, spreadPaths } from "../media/media.js";
 import { angle, clamp, inDegrees, inUnit, percent, snap, stepped } from "../numbers/format.js";
 import { createDataTables, createExports, h } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
@@ -232,9 +232,12 @@ export function createView({
         polarization,
         angleUnit: unit,
         labels: {
-          incident: mediumName(catalog, next.incident, media.n_i, 0, next.n_i) ?? "incident medium",
+          incident:
+            mediumName(catalog, next.incident, media.n_i, 0, next.n_i, presets) ??
+            "incident medium",
           transmitted:
-            mediumName(catalog, next.material, media.n_t, media.k_t, next.n_t) ?? "second medium",
+            mediumName(catalog, next.material, media.n_t, media.k_t, next.n_t, presets) ??
+            "second medium",
         },
         landmarks: stops(),
         dispersion: rays,
@@ -324,10 +327,13 @@ export function restCalls(state, catalog) {
   return [snell, curves, white].filter((path) => path !== undefined);
 }
 
-/** @param {Catalog} catalog @param {string | null} id @param {number} n @param {number} k @param {number} set what the page says n is */
-function mediumName({ materials }, id, n, k, set) {
-  const found = materials.find((m) => m.id === nameable(materials, id, n, k));
+/** @param {Catalog} catalog @param {string | null} id @param {number} n @param {number} k @param {number} set what the page says n is @param {State} presets */
+function mediumName({ materials }, id, n, k, set, presets) {
+  const known = knownAs(materials, id, n, k, presets);
+  const found = materials.find((m) => m.id === (known.id ?? known.like));
   // While the second medium moves, the named one is already left but its curves are still shown.
   const shown = found && n === (id === null ? found.n_absolute : set);
-  return shown ? found.name.replace(/\s*\(.*\)$/, "") : null;
+  if (!shown) return null;
+  const name = found.name.replace(/\s*\(.*\)$/, "");
+  return known.like === null ? name : `like ${name}`;
 }
