@@ -13,8 +13,16 @@ from app.answers.interface import CONVENTION
 from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.optics.metrics import FAST, POINT_METRICS, Metric, PointMetric, measure, point_error
-from app.optics.numerics.peaks import summit
+from app.optics.metrics import (
+    FAST,
+    POINT_METRICS,
+    Metric,
+    PointMetric,
+    affordable,
+    measure,
+    point_error,
+)
+from app.optics.numerics.peaks import SUMMIT_VALUES, summit
 from app.optics.parameters import Array
 
 MapMetric = Literal[Metric, PointMetric, "albedo_error"]
@@ -76,7 +84,8 @@ class ErrorMap(ErrorGrid):
     values: Rows
     """A row for every y, a column for every x."""
     largest: LargestError | None
-    """Between the points too; null where it grows without bound, or is an angle."""
+    """Between the points too; null where it grows without bound, is an angle, or would take too long, as
+    with large tables."""
 
     def table(self) -> Table:
         """Lay out a row each point."""
@@ -139,7 +148,11 @@ def error_map(chosen: Chosen, fixed: Interface, x: Axis, y: Axis, metric: MapMet
     # The grid first: one of more nodes than a call may take is refused before anything is sought.
     values = np.ascontiguousarray(at(Grid(fixed, x, y).varied))
     ends = [(float(axis.values[0]), float(axis.values[-1])) for axis in (x, y)]
-    found = None if metric.endswith("_deg") else summit(anywhere, *ends)
+    is_sought = not metric.endswith("_deg") and (
+        metric in POINT_METRICS
+        or affordable(model, one_color.arguments(fixed), FAST, SUMMIT_VALUES)
+    )
+    found = summit(anywhere, *ends) if is_sought else None
     return ErrorMap(
         model=model.id,
         **held(fixed, x.name, y.name),

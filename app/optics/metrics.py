@@ -99,7 +99,7 @@ FAST = Quality(
     7,
     4,
     lagarde_conductor,
-    60_000_000,
+    25_000_000,
 )
 """For maps of many interfaces: integrals to 1e-4, the largest error to 0.2 % of itself, most of them
 far better. The exact R is taken from a form that is cheaper."""
@@ -184,8 +184,7 @@ def measure(
     """
     values = model.arguments(interface) if arguments is None else arguments
     kinks = None if model.kinks is None else model.kinks(**values)
-    rule = quality.rule if kinks is None or kinks.ndim > 1 else quality.kinked_rule
-    nodes = (2 if kinks is None else kinks.shape[-1] + 2) * (rule.x.size + 1) + 1
+    rule, nodes = _split_at(kinks, quality)
     media = (interface.n_i, interface.n_t, interface.k_t)
     shape = np.broadcast_shapes(*(a.shape for a in (*media, *values.values())))
     total = int(np.prod(shape, dtype=np.int64))
@@ -227,6 +226,18 @@ def measure(
         for name, column in found.items():
             result[name][rows] = column
     return {name: column.reshape(shape) for name, column in result.items()}
+
+
+def affordable(model: Model, arguments: Mapping[str, Array], quality: Quality, count: int) -> bool:
+    """Whether so many interfaces may be measured in one call."""
+    kinks = None if model.kinks is None else model.kinks(**arguments)
+    return count * _split_at(kinks, quality)[1] <= quality.most_nodes
+
+
+def _split_at(kinks: Array | None, quality: Quality) -> tuple[Rule, int]:
+    """The rule between kinks, and how many nodes an interface takes."""
+    rule = quality.rule if kinks is None or kinks.ndim > 1 else quality.kinked_rule
+    return rule, (2 if kinks is None else kinks.shape[-1] + 2) * (rule.x.size + 1) + 1
 
 
 def _somewhere(kinks: Array) -> Array:

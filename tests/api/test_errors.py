@@ -221,6 +221,15 @@ def test_a_map_as_csv(ask: Ask) -> None:
     assert set(rows[0]) == {"theta_i_deg", "n_t", "error"}
 
 
+def test_a_map_of_large_tables_is_answered_without_its_largest(ask: Ask) -> None:
+    """Seeking it would measure 8,576 interfaces with 16,388 nodes each, longer than a call may take."""
+    asked = {"model": "lut_1d", "x": "n_t", "y": "n_i", "x_steps": 4, "y_steps": 4}
+    answer = ask("/errors/map", **asked, **{"lut_1d.size": 4096}).json()
+    assert np.all(np.array(answer["values"]) > 0.0)
+    assert answer["largest"] is None
+    assert ask("/errors/map", **asked).json()["largest"]["value"] > 0.0
+
+
 def test_the_largest_map_is_answered(ask: Ask) -> None:
     answer = ask("/errors/map", x="n_t", y="k_t", x_steps=500, y_steps=500, digits=3, metric="rms")
     assert answer.status_code == 200

@@ -86,6 +86,10 @@ def _hills(heights: Array) -> NDArray[np.intp]:
     return np.argsort(np.where(hill, -heights, 1.0), axis=1, kind="stable")[:, :_HILLS]
 
 
+SUMMIT_VALUES = 48**2 + _SUMMITS * _DIVISIONS * _ACROSS**2
+"""Values that `summit` asks for at most."""
+
+
 class Summit(NamedTuple):
     """Value of largest modulus over a rectangle, and where it is."""
 
