@@ -20,6 +20,7 @@ from fastapi import FastAPI
 from hypothesis import given
 from hypothesis import strategies as st
 
+import app.api.evaluate.item_bounds as item_bounds
 import app.api.evaluate.items as app_items
 from app.optics.registry import default_registry
 from app.server.pool import Pool
@@ -268,7 +269,7 @@ def test_items_are_the_same_wherever_the_body_is_parted(
     whole = results(poster(app)(text))
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(app_items, "_WINDOW", window)
-        patched.setattr(app_items, "_LONGEST_ANGLE", 10_000)
+        patched.setattr(item_bounds, "_LONGEST_ANGLE", 10_000)
         assert results(poster(app)(text)) == whole
     assert len(whole) == len(items)
 
