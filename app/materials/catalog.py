@@ -9,12 +9,15 @@ from app.materials.errors import NoSpectrum, UnknownMaterial, WavelengthOutOfRan
 from app.materials.location import data_directory
 from app.materials.own.material import own
 from app.materials.own.token import is_own
-from app.materials.published.index import is_published
-from app.materials.published.material import published_preset, published_spectrum
+from app.materials.published.index import default_pages, is_published
+from app.materials.published.material import published_preset, published_spectrum, rivals
 from app.materials.schema import Category, Database, Index, Preset, SpectrumFile
 from app.materials.search import matches, means_another, names, nearest
 from app.materials.spectrum import Spectrum
 from app.optics.errors import NotAllowed
+
+MOST_PAGES_NEAR = 2
+"""Pages of refractiveindex.info among what an unknown name may have meant."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,8 +115,15 @@ class Catalog:
         return tuple(matches(among, query)) if query and query.strip() else among
 
     def nearest(self, query: str, count: int = 5) -> tuple[str, ...]:
-        """Return the ids whose names resemble a query most, for when nothing fits it."""
-        return nearest(self.presets, query, count)
+        """Return the ids whose names resemble a query most, for when nothing fits it.
+
+        Pages of what is called so come first, those of what is called nearly so after presets.
+        """
+        pages = default_pages()
+        called = [page.id for page in pages.called(query.strip())[:MOST_PAGES_NEAR]]
+        close = [] if called else [p.id for p in pages.resembling(query.strip(), MOST_PAGES_NEAR)]
+        among = nearest(self.presets, query, count - len(called) - len(close))
+        return (*called, *among, *close)
 
     def spectrum(self, id: str) -> Spectrum:  # noqa: A002
         """Return n and k over the wavelength, read when first asked for.
@@ -167,8 +177,13 @@ class Catalog:
         return Constants(float(n), float(n_absolute), None if k is None else float(k), at)
 
     def rivals(self, id: str) -> tuple[Preset, ...]:  # noqa: A002
-        """Return the other measurements of the same material; a rival's include the chosen one."""
+        """Return the other measurements of the same material; a rival's include the chosen one.
+
+        Those of a page are the other pages of its book.
+        """
         preset = self.get(id)
+        if is_published(preset.id):
+            return rivals(preset)
         family = preset.rival_of or preset.id
         return tuple(
             other
@@ -177,7 +192,9 @@ class Catalog:
         )
 
     def rivals_at(self, id: str, wavelength_nm: float) -> tuple[str, ...]:  # noqa: A002
-        """Return the ids of the other measured spectra that are known at a wavelength."""
+        """Return the ids of other measured spectra that are known at a wavelength; of pages a few."""
+        if is_published(id):
+            return default_pages().known_at(id, wavelength_nm)
         spectra = [self.spectrum(rival.id) for rival in self.rivals(id) if rival.kind == "spectrum"]
         ranges = {spectrum.id: spectrum.range_nm for spectrum in spectra}
         return tuple(i for i, (low, high) in ranges.items() if low <= wavelength_nm <= high)

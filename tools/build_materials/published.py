@@ -14,7 +14,7 @@ from app.materials.published.files import database_directory, plain, read_page
 from app.materials.published.index import PREFIX
 from app.materials.published.material import LICENCE, spectrum_file
 from app.materials.reading.report import Reading
-from app.materials.schema import TRANSPARENT, Category, Preset, Sample
+from app.materials.schema import TRANSPARENT, Axis, Category, Preset, Sample
 from app.materials.spectrum import Spectrum
 from app.materials.summary import REFERENCE_NM, summary
 from app.optics.errors import OpticsError
@@ -33,7 +33,20 @@ MISDIRECTED = {
 """Pages that the catalog of the release sends to the file of another material, and their own files."""
 
 _ROOM_K = (283.0, 308.0)
-_AXES = {"o", "e", "alpha", "beta", "gamma", "para", "perp"}
+_AXES: dict[str, Axis] = {
+    "o": "o",
+    "e": "e",
+    "para": "para",
+    "perp": "perp",
+    "alpha": "alpha",
+    "beta": "beta",
+    "gamma": "gamma",
+    "α": "alpha",
+    "β": "beta",
+    "γ": "gamma",
+}
+"""As the conditions of a page say it, or its name."""
+_NAMED_AXIS = re.compile(r"[nk ]\((o|e|α|β|γ)\)")
 _UNLIKE = ("model", "simulation", "nano", "2d", "flake", "amorphous", "supercooled")
 _RANGES = re.compile(
     r"(?:n,k|n|k) ?(\([^)]*\))? ?[\d.]+(?:e[+-]?\d+)? ?[–-] ?[\d.]+(?:e\+?\d+)? µm"
@@ -125,17 +138,21 @@ def published_index(root: Path, choices: list[Choice]) -> str:
     """
     media = _media(root / "materials" / MEDIA)
     categories: dict[str, set[Category]] = {}
-    chosen: set[str] = set()
+    chosen: dict[str, list[str]] = {}
     for choice in choices:
         book = choice.entry.page.rpartition("/")[0]
         categories.setdefault(book, set()).add(choice.material.category)
         if choice.rival_of is None:
-            chosen.add(choice.entry.page)
+            names = {name.casefold() for name in (choice.id, choice.name, *choice.aliases)}
+            chosen[choice.entry.page] = sorted(names)
     lines = []
     for listing in listings():
         known = categories.get(f"{listing.shelf}/{listing.book}", set())
         category = known.copy().pop() if len(known) == 1 else _category(listing)
-        entry = _entry(listing, category, media.get(listing.file, (None, None)), chosen)
+        entry = _entry(listing, category, media.get(listing.file, (None, None)))
+        called = [chosen[path] for path in (listing.path, *listing.also) if path in chosen]
+        if called:
+            entry["chosen_as"] = called[0]
         lines.append(json.dumps(entry, ensure_ascii=False, allow_nan=False, separators=(",", ":")))
     return "\n".join(lines) + "\n"
 
@@ -159,7 +176,6 @@ def _entry(
     listing: Listing,
     category: Category,
     medium: tuple[str | None, str | None],
-    chosen: set[str],
 ) -> dict[str, Any]:
     entry: dict[str, Any] = {"id": PREFIX + listing.path, "file": listing.file}
     if listing.also:
@@ -167,12 +183,11 @@ def _entry(
     entry |= {"title": listing.title, "names": _names(listing)}
     try:
         reading, told = read_page(listing.file)
-        axis = str(told.conditions.get("direction", "isotropic"))
         about: dict[str, Any] = {
             "id": PREFIX + listing.path,
             "name": listing.name,
             "category": category,
-            "axis": axis if axis in _AXES else "isotropic",
+            "axis": _axis(listing, told.conditions),
             "sample": _sample(listing, told.conditions),
             "confidence": "unstated",
             "relative_to": medium[0],
@@ -195,7 +210,7 @@ def _entry(
         abbe=None if abbe is None else round(abbe, 4),
     )
     kept = _preset.dump_python(preset, mode="json", exclude_defaults=True, exclude={"id"})
-    order = 0 if listing.path in chosen else 1 + _order(listing, spectrum, told.conditions)
+    order = _order(listing, spectrum, told.conditions)
     return entry | {"order": order, "preset": _rounded(kept)}
 
 
@@ -230,6 +245,12 @@ def _names(listing: Listing) -> list[str]:
             told = yaml.load(about.read_bytes(), Loader=yaml.CBaseLoader)  # noqa: S506
             names += [plain(name) for name in told.get("NAMES") or ()]
     return list(dict.fromkeys(name.strip() for name in names if name.strip()))
+
+
+def _axis(listing: Listing, conditions: Mapping[str, Any]) -> Axis:
+    named = _NAMED_AXIS.search(listing.page_name)
+    said = str(conditions.get("direction", named[1] if named else ""))
+    return _AXES.get(said, "isotropic")
 
 
 def _sample(listing: Listing, conditions: Mapping[str, Any]) -> Sample:

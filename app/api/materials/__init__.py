@@ -48,28 +48,18 @@ def router(registry: Registry | None = None) -> APIRouter:
             query.q,
             query.category,
             query.kind,
+            query.catalog,
             offset=query.offset,
             limit=query.limit,
             gamut=query.gamut,
             fields=chosen_fields(query.fields, [field.name for field in fields(Material)]),
         )
 
-    @routes.get(
-        "/materials/{material}", summary="One material: constants, color, provenance, rivals"
-    )
-    def one(material: str, query: Annotated[DetailQuery, Query()]) -> MaterialDetail:
-        return detail(
-            found(material),
-            wavelength_nm=query.wavelength_nm,
-            viewing=query.viewing(),
-            gamut=query.gamut,
-        )
-
-    @routes.get("/materials/{material}/spectrum", summary="n, k and F0 over the wavelength")
+    @routes.get("/materials/{material:path}/spectrum", summary="n, k and F0 over the wavelength")
     def spectrum(material: str, query: Annotated[SpectrumQuery, Query()]) -> MaterialSpectrum:
         return constants(found(material), query.minimum_nm, query.maximum_nm, query.step_nm)
 
-    @routes.get("/materials/{material}/map", summary="Reflectance over angle and wavelength")
+    @routes.get("/materials/{material:path}/map", summary="Reflectance over angle and wavelength")
     def theta_by_wavelength(material: str, query: Annotated[MapQuery, Query()]) -> MaterialMap:
         return reflectance_map(
             found(material),
@@ -82,14 +72,14 @@ def router(registry: Registry | None = None) -> APIRouter:
         )
 
     @routes.get(
-        "/materials/{material}/rgb_nk",
+        "/materials/{material:path}/rgb_nk",
         summary="n and k a channel for engines without spectra, and how far they are off",
     )
     def pairs(material: str, query: Annotated[RgbNkQuery, Query()]) -> RgbNk:
         return rgb_nk(found(material), query.viewing(), query.gamut, query.space)
 
     @routes.get(
-        "/materials/{material}/export",
+        "/materials/{material:path}/export",
         response_model=Export,
         responses={200: {"content": {target.media_type: {} for target in TARGETS.values()}}},
         summary="A material for a render engine, with what is lost and how far the engine is off",
@@ -104,7 +94,7 @@ def router(registry: Registry | None = None) -> APIRouter:
         )
 
     @routes.get(
-        "/materials/{material}/curves",
+        "/materials/{material:path}/curves",
         summary="R over the angle, per wavelength and as R, G and B",
     )
     def curves(material: str, query: Annotated[MaterialCurvesQuery, Query()]) -> MaterialCurves:
@@ -119,6 +109,18 @@ def router(registry: Registry | None = None) -> APIRouter:
                 viewing=query.viewing(),
                 gamut=query.gamut,
             )
+
+    # Ids of pages have slashes, so that this one is asked after those that end in a word.
+    @routes.get(
+        "/materials/{material:path}", summary="One material: constants, color, provenance, rivals"
+    )
+    def one(material: str, query: Annotated[DetailQuery, Query()]) -> MaterialDetail:
+        return detail(
+            found(material),
+            wavelength_nm=query.wavelength_nm,
+            viewing=query.viewing(),
+            gamut=query.gamut,
+        )
 
     return routes
 

@@ -5,6 +5,7 @@ from typing import Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
+from app.answers.materials.listing import MOST_PAGES, Collected
 from app.answers.materials.map import Quantity
 from app.api.model_parameters import ModelsParameter, each_once
 from app.api.params import (
@@ -43,16 +44,26 @@ class ListQuery(DigitsQuery):
     q: str | None = Field(
         None,
         max_length=100,
-        description="Part of a name, an alias, an id or a reference; best matches come first.",
+        description="Part of a name, an alias, an id, a title or a reference; best matches come "
+        "first.",
         examples=["gold"],
     )
     category: Category | None = Field(None, description="Only presets of this category.")
     kind: Literal["spectrum", "single"] | None = Field(
         None, description="Only measured spectra, or only single indices of tables."
     )
+    catalog: Collected | None = Field(
+        None,
+        description="`curated`: only our presets; `pages`: only pages of refractiveindex.info, each "
+        "under `page` with its shelf, book and page. With `q` both unless given, ours first; without, "
+        "ours.",
+    )
     offset: Count = Field(0, ge=0, le=100_000, description="How many to leave out at the start.")
     limit: Count | None = Field(
-        None, ge=1, le=1000, description="How many to send at most; all unless given."
+        None,
+        ge=1,
+        le=1000,
+        description=f"How many to send at most; all of ours and {MOST_PAGES} pages unless given.",
     )
     gamut: Gamut = _gamut("scaled")
     fields: str | None = Field(

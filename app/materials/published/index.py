@@ -1,8 +1,9 @@
 """The list of all pages: what is searched stays in memory, presets are read line by line."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, cached_property
+from difflib import get_close_matches
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -11,13 +12,19 @@ from pydantic import TypeAdapter
 
 from app.materials.errors import UnknownMaterial
 from app.materials.location import data_directory
-from app.materials.schema import Preset, Range
+from app.materials.schema import Category, Preset, Range
 
 PREFIX = "rii:"
 """What the ids of pages begin with."""
 
 FILE = "refractiveindex/index.jsonl"
 """Below the directory of the data: a line a page, in the order of the database."""
+
+SUPPLIERS = "specs"
+"""The shelf of products, a book a supplier; in the books of others are measurements of a material."""
+
+MOST_BESIDE = 3
+"""Pages that are named where another is not known."""
 
 _preset = TypeAdapter(Preset)
 
@@ -44,6 +51,7 @@ class ListedPage:
     """What its book and the page are called in the database."""
     file: str
     """Path below the database's `data`."""
+    category: Category
     n_range_nm: Range | None
     """None where the page is refused."""
     k_range_nm: Range | None
@@ -52,7 +60,12 @@ class ListedPage:
     order: int
     """Pages of a lower one stand for their material: as it is at room temperature, in the visible."""
     names: tuple[str, ...]
-    """What its material is called, folded to one case."""
+    """What its material is called."""
+    chosen_as: tuple[str, ...]
+    """What the preset is called that it was chosen for, folded to one case."""
+    said: str
+    """What the database says of this page alone, folded: "water ice · warren 1984: ice"; nothing of
+    suppliers' products, which are called so themselves."""
     words: str
     """Its id, names and title, folded."""
     source: str
@@ -84,10 +97,42 @@ class Pages:
                     self._by_id.setdefault(_folded(id), number)
                 start += len(line)
 
-    @cached_property
-    def all(self) -> tuple[ListedPage, ...]:
+    @property
+    def all(self) -> Sequence[ListedPage]:
         """Every page, in the order of the database; refused ones too."""
-        return tuple(self._listed)
+        return self._listed
+
+    def beside(self, id: str) -> list[ListedPage]:  # noqa: A002
+        """Return the other pages of a page's book; those of a supplier are other products."""
+        shelf, book, _ = self.get(id).path
+        if shelf == SUPPLIERS:
+            return []
+        return [
+            page
+            for page in self._listed
+            if page.path[:2] == (shelf, book) and page.id != id and page.refused is None
+        ]
+
+    def known_at(self, id: str, wavelength_nm: float) -> tuple[str, ...]:  # noqa: A002
+        """Return ids of pages of a page's book that are known at a wavelength, a few of them."""
+        fitting = sorted(self.beside(id), key=lambda page: page.order)
+        return tuple(page.id for page in fitting if _is_known(page, wavelength_nm))[:MOST_BESIDE]
+
+    def called(self, name: str) -> list[ListedPage]:
+        """Return the pages of what is called so: of each book the first."""
+        return _first_of_books(self._called(name))
+
+    def resembling(self, name: str, count: int) -> list[ListedPage]:
+        """Return the pages of what is called nearly so: of each book the first."""
+        wanted = name.casefold()
+        known = {one.casefold() for page in self._listed for one in page.names}
+        alike = [one for one in known if one[:1] == wanted[:1]]
+        near = get_close_matches(wanted, alike, n=count, cutoff=0.8)
+        return _first_of_books(page for one in near for page in self._called(one))[:count]
+
+    def _called(self, name: str) -> list[ListedPage]:
+        called = [page for page in self._listed if is_called(page, name)]
+        return sorted(called, key=lambda page: page.order)
 
     def get(self, id: str) -> ListedPage:  # noqa: A002
         """Return the page of an id.
@@ -99,13 +144,20 @@ class Pages:
         """
         number = self._by_id.get(_folded(id.strip()))
         if number is None:
-            raise UnknownPage(
-                id, "rii:SHELF/BOOK/PAGE of refractiveindex.info; /materials?q= finds them"
-            )
+            near = self._nearest(id)
+            hint = "rii:SHELF/BOOK/PAGE of refractiveindex.info; /materials?q= finds them"
+            raise UnknownPage(id, hint + (f"; nearest: {', '.join(near)}" if near else ""), near)
         page = self._listed[number]
         if page.refused is not None:
             raise UnknownPage(id, f"a page that can be computed with, which takes {page.refused}")
         return page
+
+    def _nearest(self, id: str) -> list[str]:  # noqa: A002
+        """Ids that resemble one: of its book, or of books and pages called so."""
+        book = _folded(id.rpartition("/")[0] + "/")
+        beside = {key: key for key in self._by_id if key.startswith(book)}
+        close = get_close_matches(_folded(id), beside or self._by_id, n=3, cutoff=0.6)
+        return list(dict.fromkeys(self._listed[self._by_id[key]].id for key in close))
 
     def presets(self, pages: Iterable[ListedPage]) -> list[Preset]:
         """Read what lists show of pages, none of which is refused."""
@@ -130,11 +182,14 @@ def page_of(entry: Mapping[str, Any]) -> dict[str, str]:
 
 def _listed(entry: Mapping[str, Any], start: int, length: int) -> ListedPage:
     preset = entry.get("preset", {})
-    names = tuple(name.casefold() for name in entry["names"])
-    title = entry["title"]
+    names, title = tuple(entry["names"]), entry["title"]
+    of_page = title.partition(" · ")[2]
+    if entry["id"].startswith(f"{PREFIX}{SUPPLIERS}/"):
+        of_page = ""
     return ListedPage(
         id=entry["id"],
         name=preset.get("name", title),
+        category=preset.get("category", "generic"),
         title=title,
         file=entry["file"],
         n_range_nm=_range(preset.get("n_range_nm")),
@@ -142,11 +197,26 @@ def _listed(entry: Mapping[str, Any], start: int, length: int) -> ListedPage:
         refused=entry.get("refused"),
         order=entry["order"],
         names=names,
-        words=" ".join((entry["id"].casefold(), *names, title.casefold())),
+        chosen_as=tuple(entry.get("chosen_as", ())),
+        said=of_page.casefold(),
+        words=" ".join((entry["id"], *names, title)).casefold(),
         source=preset.get("source", "").casefold(),
         start=start,
         length=length,
     )
+
+
+def _first_of_books(pages: Iterable[ListedPage]) -> list[ListedPage]:
+    first: dict[tuple[str, ...], ListedPage] = {}
+    for page in pages:
+        if page.refused is None:
+            first.setdefault(page.path[:2], page)
+    return list(first.values())
+
+
+def _is_known(page: ListedPage, wavelength_nm: float) -> bool:
+    ranges = (page.n_range_nm, page.k_range_nm)
+    return all(ends is None or ends[0] <= wavelength_nm <= ends[1] for ends in ranges)
 
 
 def _range(ends: Any) -> Range | None:
@@ -155,6 +225,18 @@ def _range(ends: Any) -> Range | None:
 
 def _folded(id: str) -> str:  # noqa: A002
     return id.casefold().replace("_", " ")
+
+
+def is_called(page: ListedPage, name: str) -> bool:
+    """Whether the material of a page is called so; formulas are spelled as they are, unlike words.
+
+    Tin is no titanium nitride.
+    """
+    folded = name.casefold()
+    return any(
+        one.casefold() == folded and (one == name or one[1:].islower() or not one.isalpha())
+        for one in page.names
+    )
 
 
 @cache

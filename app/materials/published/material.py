@@ -1,7 +1,7 @@
 """A page as a preset with a spectrum, so that everything that takes those takes it."""
 
 from collections.abc import Mapping
-from functools import lru_cache
+from functools import lru_cache, partial
 from threading import Lock
 from typing import Any
 
@@ -80,7 +80,15 @@ def spectrum_file(
 def _read(preset: Preset) -> Spectrum:
     file = default_pages().get(preset.id).file
     about = {name: getattr(preset, name) for name in ABOUT}
-    return Spectrum(spectrum_file(file, *read_page(file), about))
+    data = spectrum_file(file, *read_page(file), about)
+    return Spectrum(data, partial(default_pages().known_at, preset.id))
+
+
+def rivals(preset: Preset) -> tuple[Preset, ...]:
+    """Return the other pages of a page's book that are of the same axis of a crystal."""
+    pages = default_pages()
+    others = pages.presets(pages.beside(preset.id))
+    return tuple(other for other in others if other.axis == preset.axis)
 
 
 _spectrum = cached(

@@ -78,7 +78,7 @@ def template(scope: Scope) -> str:
 
     What no route takes are the page's files, what is nowhere and what is too long.
     """
-    own: str | None = getattr(scope.get("route"), "path", None)
+    own: str | None = getattr(scope.get("route"), "path_format", None)
     if own is None:
         return "/{path}"
     # A route that was included with a prefix knows only the rest of its path.
