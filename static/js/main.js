@@ -129,7 +129,7 @@ async function start() {
   });
 
   const catalog = await firstCatalog(main);
-  if (localStorage.getItem("own-materials") || /own(:|%3A)/i.test(location.search))
+  if (localStorage.getItem("own-materials") || /(own|rii)(:|%3A)/i.test(location.search))
     await (await import("./own/kept.js")).bring(catalog, location.search);
   const constants = createConstants({
     materials: catalog.materials,

@@ -52,6 +52,8 @@ interface Material {
   n_range_nm: [number, number] | null;
   aliases?: string[];
   source?: string;
+  /** Of what is not in the list that the page starts with, all that its table shows. */
+  swatch?: { gamut: string; hex: string | null };
 }
 
 interface Interface {

@@ -85,7 +85,8 @@ def curves(
     preset, front
         The two media.
     wavelengths_nm
-        Where R is evaluated; at those of Shirley's figure where both media are known unless given.
+        Where R is evaluated; unless given at those of Shirley's figure where both media are known, and
+        if none is, at five over the range where they are.
     samples
         Equally spaced angles from 0 to 90 degrees.
     models
@@ -103,7 +104,8 @@ def curves(
     spectrum = default_catalog().spectrum(preset.id)
     if wavelengths_nm is None:
         low, high = front.range_beside(spectrum)
-        wavelengths_nm = np.array([value for value in SHIRLEY_NM if low <= value <= high])
+        known = [value for value in SHIRLEY_NM if low <= value <= high]
+        wavelengths_nm = np.array(known or _over(low, high))
     count = wavelengths_nm.size * samples
     refuse_more_than("samples", samples, count, "values of all curves")
     theta_i_deg = np.linspace(0.0, 90.0, samples)
@@ -128,6 +130,12 @@ def curves(
         rgb=rgb,
         warnings=list(dict.fromkeys(warnings)),
     )
+
+
+def _over(low: float, high: float) -> list[float]:
+    """Wavelengths in equal ratios, those between the ends in four digits."""
+    inner = (float(f"{value:.4g}") for value in np.geomspace(low, high, 5)[1:-1])
+    return sorted({low, high, *(value for value in inner if low < value < high)})
 
 
 def _single(

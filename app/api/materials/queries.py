@@ -258,7 +258,7 @@ class MaterialCurvesQuery(FrontQuery, RgbQuery, TableQuery):
         min_length=1,
         max_length=2000,
         description="Comma-separated wavelengths in nm, within the presets' own range; those of "
-        "400, 500, 600, 700 and 800 that are, unless given.",
+        "400, 500, 600, 700 and 800 that are, unless given, or, if none is, five over that range.",
         examples=["400,500,600,700,800"],
     )
     samples: Count = equal_samples(181)

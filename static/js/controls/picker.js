@@ -1,11 +1,14 @@
 /** The list of media below a field that is typed into. */
 
+import { add, findPages, isPage, pathOf } from "../media/brought.js";
 import { stretch } from "../media/wavelength.js";
 import { h } from "../page/dom.js";
 import { loadStyle } from "../page/style.js";
 import { distance } from "../state/state.js";
 
 const MOST_TYPOS = 2;
+const PAUSE = 200; // ms after a key until pages are searched
+const PAGES = "refractiveindex.info";
 
 /** The last line of each list: a material that is not in it. @type {any} */
 const OWN = { id: "own", name: "Your own…", category: "your own" };
@@ -54,12 +57,14 @@ function capital(word) {
 
 /** What tells media of one name apart. @param {Material} material */
 function origin({ id, kind, n_range_nm }) {
+  if (isPage(id) && n_range_nm) return `${stretch(n_range_nm)} · ${pathOf(id)}`;
   if (kind === "spectrum" && n_range_nm) return stretch(n_range_nm);
   return `${capital(/-([a-z]+)$/.exec(id)?.[1] ?? "")}'s table`;
 }
 
 /** @param {Material} material @returns {string} */
 function groupOf({ id, category }) {
+  if (isPage(id)) return PAGES;
   return id.endsWith("-shirley") ? "Shirley's table, 589 nm" : capital(category);
 }
 
@@ -82,6 +87,26 @@ export async function createList({
   /** @type {Material[]} */
   let found = [];
   let active = -1;
+  /** Pages that fit what was typed, and what that is. @type {{text: string, rows: Material[]}} */
+  let pages = { text: "", rows: [] };
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let searching;
+
+  /** Pages come after what the page has, and later. @param {string} text */
+  function search(text) {
+    clearTimeout(searching);
+    if (text.trim() === "" || text === pages.text) return;
+    searching = setTimeout(async () => {
+      const rows = await findPages(text).catch(() => []);
+      if (!list || input.value !== text) return;
+      pages = { text, rows };
+      const [at, { scrollTop }] = [found[active]?.id, list];
+      open(text);
+      const again = found.findIndex(({ id }) => id === at);
+      if (again >= 0) activate(again);
+      list.scrollTop = scrollTop;
+    }, PAUSE);
+  }
 
   /** @param {Material} material @param {number} index */
   function option(material, index) {
@@ -95,7 +120,7 @@ export async function createList({
         "aria-disabled": why === null ? null : "true",
         "data-index": index,
         "data-id": material.id,
-        title: why,
+        title: why ?? (isPage(material.id) ? (material.source ?? null) : null),
       },
       h("span.media-name", material.name),
       h(
@@ -107,9 +132,13 @@ export async function createList({
 
   /** @param {string} text what is searched for; everything, in groups, where it is empty */
   function open(text) {
-    const all = [...matching(materials, text), OWN];
+    const known = matching(materials, text);
+    const more = pages.text === text ? pages.rows : [];
+    const others = more.filter(({ id }) => !known.some((m) => m.id === id));
+    const all = [...known, ...others, OWN];
     const names = text.trim() === "" ? [...new Set(all.map(groupOf))] : [];
     found = names.length ? names.flatMap((name) => all.filter((m) => groupOf(m) === name)) : all;
+    search(text);
     if (!list) {
       list = h("ul.media-list", { id: own, role: "listbox", "aria-label": "Media" });
       // A press must not take the focus from the field.
@@ -142,6 +171,10 @@ export async function createList({
       );
     });
     list.replaceChildren(...(names.length ? rows : found.map(option)));
+    if (others.length)
+      list
+        .querySelector(`[data-index="${known.length}"]`)
+        ?.before(h("li.media-group", { role: "presentation" }, PAGES));
     if (found.length === 1)
       list.prepend(h("li.media-group", { role: "presentation" }, "nothing is called so"));
     if (text.trim() === "") activate(found.findIndex((m) => m.id === chosen()));
@@ -177,6 +210,7 @@ export async function createList({
   function take(index) {
     const material = found[index];
     if (!material || (material !== OWN && refusal(material) !== null)) return;
+    if (isPage(material.id)) add(/** @type {Material[]} */ (materials), material);
     close();
     onPick(material.id);
     input.value = written(material.id);

@@ -21,6 +21,7 @@ interface InterfaceOptions {
 
 interface FieldOptions {
   label: string;
+  placeholder?: string;
   materials: readonly Material[];
   /** Beside the name. */
   note: (material: Material) => string;
@@ -31,7 +32,7 @@ interface FieldOptions {
   onPick: (id: string) => void;
 }
 
-interface ListOptions extends Omit<FieldOptions, "label"> {
+interface ListOptions extends Omit<FieldOptions, "label" | "placeholder"> {
   input: HTMLInputElement;
   /** What stands in the field for a medium, by default the chosen one. */
   written: (id?: string | null) => string;

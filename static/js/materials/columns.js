@@ -20,8 +20,9 @@ import { byColumn } from "../numbers/sorted.js";
  * @property {string} sample
  * @property {string} source
  * @property {number} F0
- * @property {{luminance: number}} color
+ * @property {{luminance: number}} [color] kept long ago, one's own has none
  * @property {{gamut: string, hex: string | null}} swatch
+ * @property {{shelf: string, book: string, page: string, title: string} | null} [page] of refractiveindex.info
  *
  * @typedef {object} Column
  * @property {string} name
@@ -55,7 +56,7 @@ export const COLUMNS = [
     note: "as the source has it, at the reference wavelength: glasses relative to air, of which the sheet tells; of a range the middle",
     value: (m) => m.n,
     print: (m) =>
-      m.n_min !== null && m.n_max !== null
+      m.n_min && m.n_max
         ? `${plain(m.n_min, 4)}–${plain(m.n_max, 4)}`
         : m.n < 1.01 && m.n > 1
           ? plain(m.n, 7)
@@ -72,20 +73,19 @@ export const COLUMNS = [
     name: "F0",
     heading: "Y",
     note: "luminous reflectance at normal incidence from vacuum, under D65",
-    value: (m) => m.color.luminance,
-    print: (m) =>
-      m.color.luminance < 5e-4
-        ? m.color.luminance === 0
-          ? "0"
-          : "< 0.001"
-        : m.color.luminance.toFixed(3),
+    value: (m) => m.color?.luminance ?? null,
+    print: ({ color }) => {
+      if (!color) return "–";
+      const { luminance } = color;
+      return luminance >= 5e-4 ? luminance.toFixed(3) : luminance === 0 ? "0" : "< 0.001";
+    },
   },
   {
     name: "confidence",
     heading: "confidence",
     note: "how far to trust the data: sample, agreement with others, range",
     value: (m) => CONFIDENCE.indexOf(m.confidence),
-    print: (m) => m.confidence,
+    print: (m) => m.confidence ?? "–",
   },
 ];
 

@@ -47,6 +47,7 @@ export function materialFields({ materials }) {
     reach: choice("visible", ["visible", "all"]),
     lambda_axis: choice("linear", ["linear", "log"]),
     rivals: choice("shown", ["shown", "hidden"]),
+    beside: optional(() => materials.filter((m) => m.kind === "spectrum").map((m) => m.id)),
     map_of: choice("R", ["R", "Rs", "Rp"]),
     gamut: choice("scaled", ["scaled", "clamped", "unclamped"]),
     illuminant: choice("D65", ["D65", "E"]),

@@ -1,5 +1,6 @@
 /** The name of the chosen preset, what it is, and where to go with it. */
 
+import { pathOf } from "../media/brought.js";
 import { stretch } from "../media/wavelength.js";
 import { h } from "../page/dom.js";
 import { addressOf, clicked } from "../page/links.js";
@@ -16,7 +17,10 @@ const SAMPLES = {
   unstated: "sample not stated",
 };
 /** @type {Record<string, string>} */
-const AXES = { o: "ordinary ray", e: "extraordinary ray" };
+const AXES = {
+  ...{ o: "ordinary ray", e: "extraordinary ray", para: "parallel", perp: "perpendicular" },
+  ...{ alpha: "axis α", beta: "axis β", gamma: "axis γ" },
+};
 
 /** @param {Pick<ViewContext, 'views' | 'actions'>} context */
 export function createHead({ views, actions }) {
@@ -29,10 +33,11 @@ export function createHead({ views, actions }) {
     update(detail, { at_nm }) {
       const to = { material: detail.id, wavelength_nm: at_nm };
       const about = [
-        detail.category,
+        detail.page && `refractiveindex.info, ${pathOf(detail.id)}`,
+        detail.page && detail.category === "generic" ? "" : detail.category,
         AXES[detail.axis],
         SAMPLES[detail.sample],
-        `confidence ${detail.confidence}`,
+        detail.confidence === "unstated" ? "" : `confidence ${detail.confidence}`,
         detail.n_range_nm ? `known ${stretch(detail.n_range_nm)}` : "",
         detail.abbe === null ? "" : `Abbe number ${detail.abbe.toFixed(1)}`,
       ];

@@ -5,7 +5,7 @@ import { createDataTables, createExports, h, setText } from "../page/dom.js";
 /**
  * @typedef {Published & {exportAs: (format: 'png' | 'svg' | 'csv') => Promise<Blob>, table: () => HTMLTableElement,
  *   theme: () => void, destroy: () => void}} Figure
- * @typedef {Pick<ViewContext, 'catalog' | 'actions' | 'save'> & {parent: HTMLElement, now: () => State}} FigureContext
+ * @typedef {Pick<ViewContext, 'catalog' | 'actions' | 'save' | 'describeMedia'> & {parent: HTMLElement, now: () => State}} FigureContext
  *   where the figures stand, in the document because plots read colors and sizes from it, and the state with the
  *   preset that is shown
  */

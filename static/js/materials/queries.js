@@ -29,12 +29,17 @@ export function shown(state, { materials }) {
   return { ...state, preset: state.preset ?? state.material ?? first?.id };
 }
 
-/** Other measurements of the same material. @param {Catalog} catalog @param {string} id @returns {string[]} */
-export function rivalsOf(catalog, id) {
-  const own = presetOf(catalog, id);
-  const root = own?.rival_of ?? id;
+/**
+ * Other measurements of the same material, and of the one that is set beside it.
+ * @param {Catalog} catalog
+ * @param {string} id
+ * @param {string | null} [beside]
+ * @returns {string[]}
+ */
+export function rivalsOf(catalog, id, beside = null) {
+  const roots = [id, beside].map((one) => presetOf(catalog, one ?? "")?.rival_of ?? one);
   return catalog.materials
-    .filter((m) => (m.id === root || m.rival_of === root) && m.id !== id)
+    .filter((m) => (roots.includes(m.id) || roots.includes(m.rival_of ?? "")) && m.id !== id)
     .map((m) => m.id);
 }
 
@@ -115,7 +120,7 @@ export function queries(now, catalog, moving = false) {
   wanted.colors = colorsPath(state);
   wanted.map = mapPath(state);
   if (state.rivals === "shown")
-    for (const id of rivalsOf(catalog, preset.id))
+    for (const id of rivalsOf(catalog, preset.id, state.beside))
       if (presetOf(catalog, id)?.kind === "spectrum")
         wanted[`rival:${id}`] = `/materials/${id}/spectrum`;
   return wanted;

@@ -1,5 +1,6 @@
 /** Where the numbers come from, and how far other measurements lie from them. */
 
+import { isPage, pathOf } from "../media/brought.js";
 import { stretch } from "../media/wavelength.js";
 import { plain } from "../numbers/format.js";
 import { copying, h } from "../page/dom.js";
@@ -104,11 +105,12 @@ export function createRivals(onPick) {
       /** @param {any} one */
       function row(one) {
         const here = one === own;
+        const name = isPage(one.id) ? pathOf(one.id).split("/").at(-1) : one.name;
         const by = one.luminance - own.luminance;
         const pick = html`<button type="button" class="rival" title=${one.source}
-          @click=${() => onPick(one.id)}>${one.name}</button>`;
+          @click=${() => onPick(one.id)}>${name}</button>`;
         return html`<tr ?data-chosen=${here}>
-          <th scope="row">${here ? html`<b>${one.name}</b>` : pick}</th>
+          <th scope="row">${here ? html`<b>${name}</b>` : pick}</th>
           <td>${fixed(one.luminance)}</td>
           <td>${here ? "shown" : `${by < 0 ? "−" : "+"}${fixed(Math.abs(by))}`}</td>
           <td>${plain(one.n, 4)}</td>

@@ -1,6 +1,7 @@
 /** n and k over the wavelength, with what rival measurements span, or the reflectance that follows. */
 
 import { createChoice, createChoices } from "../controls/panel.js";
+import { createField, indices } from "../media/media.js";
 import { stretch } from "../media/wavelength.js";
 import { createChanged } from "../page/changed.js";
 import { h } from "../page/dom.js";
@@ -11,6 +12,7 @@ import { presetOf, rivalsOf } from "./queries.js";
 
 /** Where colors are computed from. @type {[number, number]} */
 const VISIBLE = [360, 830];
+const LEAST_SEEN = 40; // nm of it that a material has to be known at, to be shown there
 const STEPS = 240;
 const RIVAL_DASHES = ["dash", "dot", "dashdot", "longdash", "longdashdot", "8px 3px 2px 3px"];
 
@@ -30,9 +32,10 @@ export function shortName(preset) {
 
 /** The part of the wavelengths that the axis shows. @param {any} spectrum @param {State} state @returns {[number, number]} */
 export function shownRange(spectrum, { reach }) {
-  if (reach === "visible") return VISIBLE;
   const ends = [spectrum.n_range_nm, spectrum.k_range_nm].filter(Boolean);
-  return [Math.min(...ends.map((r) => r[0])), Math.max(...ends.map((r) => r[1]))];
+  const [low, high] = [Math.min(...ends.map((r) => r[0])), Math.max(...ends.map((r) => r[1]))];
+  const seen = Math.min(high, VISIBLE[1]) - Math.max(low, VISIBLE[0]);
+  return reach === "visible" && seen > LEAST_SEEN ? VISIBLE : [low, high];
 }
 
 /** A little beyond what is known, so that one sees where that ends. @param {[number, number]} range @param {boolean} log @returns {[number, number]} */
@@ -43,7 +46,7 @@ function widened([low, high], log) {
 
 /** @param {import('./panel.js').FigureContext} context */
 export function createSpectrum(context) {
-  const { catalog, actions, now } = context;
+  const { catalog, actions, now, describeMedia } = context;
   const choices = createChoices(actions, {
     plot_of: [
       "Quantity",
@@ -58,13 +61,31 @@ export function createSpectrum(context) {
     items: [{ value: "shown", label: "rivals", note: "other measurements of the same material" }],
     onChange: (values) => actions.set({ rivals: values.length ? "shown" : "hidden" }),
   });
+  const beside = createField({
+    label: "Another material beside it",
+    placeholder: "none",
+    materials: catalog.materials,
+    note: indices,
+    refusal: ({ kind }) => (kind === "spectrum" ? null : "one index: it has no curve"),
+    describe: describeMedia,
+    onPick(id) {
+      if (catalog.materials.some((m) => m.id === id)) actions.set({ beside: id });
+      else window.dispatchEvent(new CustomEvent("ownmaterial", { detail: "material" }));
+    },
+  });
+  const alone = h(
+    "button.quiet",
+    { type: "button", onclick: () => actions.set({ beside: null }) },
+    "alone",
+  );
+  const row = h("span.beside-row", h("span", "beside"), beside.element, alone);
   const frame = h("div.frame");
   /** @type {any} */
   let spectrum = null;
   const panel = createPanel(context, {
     title: "Over the wavelength",
     name: "spectrum",
-    controls: [...Object.values(choices.elements), rivals.element],
+    controls: [...Object.values(choices.elements), rivals.element, row],
     frames: [h("div.plot-host", frame)],
     figures: () => [plot],
     what: () => (now().plot_of === "F0" ? "F0" : "n-k"),
@@ -96,7 +117,9 @@ export function createSpectrum(context) {
     update(state, answers, at) {
       choices.update(state);
       rivals.update(state.rivals === "shown" ? ["shown"] : []);
-      const others = rivalsOf(catalog, state.preset).filter(
+      beside.show({ id: state.beside, like: null });
+      alone.hidden = state.beside === null;
+      const others = rivalsOf(catalog, state.preset, state.beside).filter(
         (id) => presetOf(catalog, id)?.kind === "spectrum",
       );
       rivals.element.hidden = others.length === 0;
@@ -120,7 +143,7 @@ export function createSpectrum(context) {
   function draw(state, own, measured) {
     const range = shownRange(own, state);
     const log = state.lambda_axis === "log";
-    const wide = state.reach === "visible" ? range : widened(range, log);
+    const wide = range === VISIBLE ? range : widened(range, log);
     const asF0 = state.plot_of === "F0";
     const keys = /** @type {('n' | 'k' | 'F0')[]} */ (asF0 ? ["F0"] : ["n", "k"]);
     /** @param {any} answer @param {'n' | 'k' | 'F0'} key */
@@ -144,10 +167,34 @@ export function createSpectrum(context) {
           width: 1.3,
         });
       });
-    const bands = keys.map((key) => {
-      const all = [own, ...measured].map((one) => series(one, key));
-      return { id: key, ...spanned(all, range, STEPS, log), color: LOOKS[key].color };
-    });
+    const family = new Set([state.beside, ...rivalsOf(catalog, state.beside ?? "")]);
+    const [others, rivals] = [true, false].map((is) =>
+      measured.filter(({ material }) => family.has(material.id) === is),
+    );
+    const set = measured.find(({ material }) => material.id === state.beside);
+    if (set && !asF0)
+      for (const key of keys)
+        traces.push({
+          ...{ id: `${key}_${set.material.id}`, label: `${key} ${nameOf(set)}` },
+          ...series(set, key),
+          ...{ color: LOOKS[key].color, dash: "dot", width: 1.4 },
+        });
+    /** What some measurements span. @param {string} name @param {any[]} among */
+    const bandsOf = (name, among) =>
+      keys.map((key) => ({
+        id: `${key}${name}`,
+        ...spanned(
+          among.map((one) => series(one, key)),
+          range,
+          STEPS,
+          log,
+        ),
+        color: LOOKS[key].color,
+      }));
+    const bands = [
+      ...(rivals?.length ? bandsOf("", [own, ...rivals]) : []),
+      ...(others && others.length > 1 ? bandsOf("_beside", others) : []),
+    ];
     const highest = Math.max(0, ...traces.flatMap((t) => t.y.map((v) => v ?? 0)));
     const name = presetOf(catalog, state.preset)?.name;
     plot.axes({
@@ -166,12 +213,17 @@ export function createSpectrum(context) {
         range: asF0 && highest > 0.4 ? [0, 1] : null,
       },
     });
-    void plot.draw(traces, limits(own, wide), measured.length ? bands : []);
+    void plot.draw(traces, limits(own, wide), bands);
     const k = own.k_range_nm ? "" : " k is not given.";
     const points =
       own.native?.n.kind === "points" ? `${own.native.n.wavelength_nm.length} points` : "a formula";
-    const names = measured.map(nameOf).join(", ");
-    const span = names ? ` The bands span ${names} and this one.` : "";
+    const spans = [
+      rivals?.length && ` The bands span ${rivals.map(nameOf).join(", ")} and this one.`,
+      set && ` Dotted: ${nameOf(set)}`,
+      set &&
+        (others && others.length > 1 ? `, in the band of ${others.length} measurements.` : "."),
+    ];
+    const span = spans.filter(Boolean).join("");
     panel.filled(
       `n is known for ${stretch(own.n_range_nm)} from ${points}.${k}${span} Drag to read at another wavelength.`,
     );

@@ -1,6 +1,8 @@
 /** The table of presets: one stop for the Tab key, arrows walk through it, the row walked to is shown. */
 
+import { pathOf } from "../media/brought.js";
 import { stretch } from "../media/wavelength.js";
+import { isOwn } from "../own/kept.js";
 import { createChanged } from "../page/changed.js";
 import { h } from "../page/dom.js";
 import { html, noChange, nothing, render } from "../page/lit.js";
@@ -59,18 +61,21 @@ export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
 
   /** @param {Preset} preset @param {number} index @param {string} stop */
   function row(preset, index, stop) {
-    const { id, name, category, kind, n_range_nm } = preset;
+    const { id, name, category, kind, n_range_nm, page, source } = preset;
     const of = [preset, id === chosen, id === stop];
     // Two hundred rows are walked through at every press of a key: those that are the same stay.
     if (of.every((one, i) => one === rows[index]?.[i])) return noChange;
     rows[index] = of;
     const known = kind === "single" || !n_range_nm ? "one index" : stretch(n_range_nm);
+    const about = page
+      ? `${known} · ${pathOf(id)}`
+      : `${isOwn(id) ? "your own" : category} · ${known}`;
     return html`<tr data-id=${id} ?data-chosen=${id === chosen}>
       <th scope="row">
-        <button type="button" class="entry" tabindex=${id === stop ? 0 : -1} aria-pressed=${id === chosen}>
+        <button type="button" class="entry" title=${page ? source : nothing} tabindex=${id === stop ? 0 : -1} aria-pressed=${id === chosen}>
           ${swatch(preset.swatch?.hex)}
           <span class="entry-name">${name}</span>
-          <span class="entry-about">${category} · ${known}</span>
+          <span class="entry-about" ?data-page=${Boolean(page)}>${about}</span>
         </button>
       </th>
       ${COLUMNS.slice(1).map((c) => html`<td class="c-${c.name}">${c.print(preset)}</td>`)}

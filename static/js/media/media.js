@@ -162,7 +162,7 @@ export function spreadPaths(state, materials) {
 const PRESETS = { n_i: "incident", n_t: "material", k_t: "material" };
 
 /** @param {Material} material */
-function indices({ n, k }) {
+export function indices({ n, k }) {
   return (k ?? 0) >= NEGLIGIBLE ? `${plain(n, 4)} + ${plain(k ?? 0, 4)}i` : plain(n);
 }
 
@@ -297,14 +297,14 @@ export function createInterface({
 const EVENTS = /** @type {const} */ (["focus", "click", "input", "keydown", "blur"]);
 
 /** One of the catalog's media: a field that is typed into. Its list is fetched with the first touch. @param {FieldOptions} options */
-function createField({ label, ...options }) {
+export function createField({ label, placeholder = "own value", ...options }) {
   const { materials, note } = options;
   const input = h("input.preset", {
     type: "text",
     role: "combobox",
     autocomplete: "off",
     spellcheck: "false",
-    placeholder: "own value",
+    placeholder,
     "aria-label": label,
     "aria-expanded": "false",
     "aria-autocomplete": "list",

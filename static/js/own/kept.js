@@ -1,6 +1,6 @@
 /** Materials of one's own: rows of the catalog whose id is their data, kept in this browser. */
 
-import { load } from "../server/api.js";
+import { add, isPage, rowOf } from "../media/brought.js";
 
 const PLACE = "own-materials";
 const MOST_KEPT = 40;
@@ -28,26 +28,10 @@ function store(rows) {
   }
 }
 
-/** Make it a medium like any other. @param {Catalog} catalog @param {Material} row */
-function add({ materials }, row) {
-  if (!materials.some(({ id }) => id === row.id)) materials.push(row);
-}
-
-/** What the catalog has of each medium. @param {string} id @returns {Promise<Material>} */
-async function rowOf(id) {
-  const all = await load(`/materials/${encodeURIComponent(id)}`);
-  const { name, category, n, n_absolute, k, wavelength_nm, kind, rival_of, n_range_nm } = all;
-  const { aliases, source } = all;
-  return {
-    ...{ id: all.id, name, category, n, n_absolute, k, wavelength_nm, kind, rival_of },
-    ...{ n_range_nm, aliases, source },
-  };
-}
-
 /** @param {Catalog} catalog @param {string} id */
 export async function keep(catalog, id) {
   const row = await rowOf(id);
-  add(catalog, row);
+  add(catalog.materials, row);
   store([row, ...keptRows().filter((one) => one.id !== id)]);
 }
 
@@ -57,16 +41,18 @@ export function forget(id) {
 }
 
 /**
- * Add those that this browser keeps and those that a link brings along.
+ * Add those that this browser keeps, and what a link brings along: some of these and pages of
+ * refractiveindex.info.
  * @param {Catalog} catalog
  * @param {string} search
  * @returns {Promise<void>}
  */
-export async function bring(catalog, search) {
-  for (const row of keptRows()) add(catalog, row);
-  const linked = [...new URLSearchParams(search).values()].filter(isOwn);
-  const missing = linked.filter((id) => !catalog.materials.some((m) => m.id === id));
-  const rows = await Promise.allSettled([...new Set(missing)].map(rowOf));
+export async function bring({ materials }, search) {
+  for (const row of keptRows()) add(materials, row);
+  const linked = [...new URLSearchParams(search).values()].filter((id) => isOwn(id) || isPage(id));
+  const rows = await Promise.allSettled(
+    [...new Set(linked)].filter((id) => !materials.some((m) => m.id === id)).map(rowOf),
+  );
   // One that is broken stays out, and the link is told to name no medium.
-  for (const row of rows) if (row.status === "fulfilled") add(catalog, row.value);
+  for (const row of rows) if (row.status === "fulfilled") add(materials, row.value);
 }

@@ -13,6 +13,7 @@ import { presetOf, shown } from "../materials/queries.js";
 import { createRivals, createSource } from "../materials/source.js";
 import { createSpectrum } from "../materials/spectrum.js";
 import { createUse } from "../materials/use.js";
+import { become, isPage, pathOf } from "../media/brought.js";
 import { percent, plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { loadStyle } from "../page/style.js";
@@ -26,12 +27,25 @@ await Promise.all(["heatmap", "materials"].map((name) => loadStyle(`css/${name}.
 /** A view narrower than this shows the catalog above the preset. */
 const NARROW = "(max-width: 900px)";
 
-/** @param {ViewContext} context */
-export function createView({ element, views, catalog, actions, state, say, save }) {
+/** @param {ViewContext} view */
+export function createView(view) {
+  const { element, views, catalog, actions, state, say, save, describeMedia } = view;
   const now = () => shown(state(), catalog);
+  /** What was chosen last, while what it is comes. */
+  let picked = "";
 
   /** @param {string} id @param {boolean} moving */
-  function pick(id, moving) {
+  async function pick(id, moving) {
+    picked = id;
+    if (isPage(id) && !presetOf(catalog, id)) {
+      try {
+        await become(catalog.materials, id);
+      } catch {
+        say(`${pathOf(id)} did not come: is the server running?`);
+        return;
+      }
+      if (picked !== id) return;
+    }
     actions.set({ preset: id, ...kept(state(), id) }, { history: moving ? "replace" : "push" });
     if (!moving && matchMedia(NARROW).matches) {
       detail.scrollIntoView({ block: "start" });
@@ -76,7 +90,7 @@ export function createView({ element, views, catalog, actions, state, say, save 
     sheets,
   );
   element.append(browser.element, detail);
-  const context = { parent: sheets, catalog, actions, save, now };
+  const context = { parent: sheets, catalog, actions, save, now, describeMedia };
   const spectrum = createSpectrum(context);
   const angles = createAngles(context);
   const colors = createColors(context);
