@@ -29,8 +29,8 @@ from app.optics.parameters import (
     K_T,
     N_I,
     N_T,
-    THETA_I,
     THETA_I_DEG,
+    THETA_I_RAD,
     WAVELENGTH_NM,
     Parameter,
 )
@@ -264,12 +264,11 @@ class AngleQuery(QueryModel):
     theta_i_deg: Number = number(THETA_I_DEG, examples=[64.0])
     theta_i_rad: Number | None = Field(
         None,
-        ge=THETA_I.minimum,
-        le=THETA_I.maximum,
+        ge=THETA_I_RAD.minimum,
+        le=THETA_I_RAD.maximum,
         allow_inf_nan=False,
-        description="The angle in radians, in place of theta_i_deg; the double nearest pi/2 counts "
-        "as 90 degrees.",
-        json_schema_extra={"unit": THETA_I.unit, "symbol": THETA_I.symbol},
+        description=THETA_I_RAD.description,
+        json_schema_extra={"unit": THETA_I_RAD.unit, "symbol": THETA_I_RAD.symbol},
     )
 
     @model_validator(mode="after")

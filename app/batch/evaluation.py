@@ -10,10 +10,20 @@ import numpy as np
 from app.batch.presets import LAYERS, resolved
 from app.batch.rows import MEDIA, Fault, Hints, Index, Rows, parted
 from app.materials.films import Film, film_rows, layer_of, read_layers, resolve_film
+from app.materials.media import given_beside
 from app.optics.errors import OpticsError, UnknownName
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.optics.parameters import K_T, N_T, WAVELENGTH_NM, Array, Parameter
+from app.optics.parameters import (
+    K_T,
+    N_I,
+    N_T,
+    THETA_I_DEG,
+    THETA_I_RAD,
+    WAVELENGTH_NM,
+    Array,
+    Parameter,
+)
 from app.optics.quantities import QUANTITIES, of_films
 from app.optics.registry import Model, Registry
 from app.optics.stack import D_LINE_NM, Stack
@@ -86,12 +96,15 @@ class _Task:
         """Evaluate rows of one model and quantity."""
         own = {f"{model.id}.{p.name}": p for p in model.parameters}
         which = self._without_foreign(model, own, which)
-        for parameter in MEDIA:
+        for parameter in (*MEDIA, THETA_I_RAD):
             which = self._within_bounds(parameter.name, parameter, which)
+        which = self._without_two_angles(which)
         for name, parameter in own.items():
             which = self._within_bounds(name, parameter, which)
         # Parameters that are left out may have to be solved, those that are given must not be.
-        present = [name for name in own if name in self.rows.numbers]
+        # Radians are told apart too, since they do not become degrees on the way.
+        apart = (*own, THETA_I_RAD.name)
+        present = [name for name in apart if name in self.rows.numbers]
         pattern = np.zeros(which.size, dtype=np.intp)
         for bit, name in enumerate(present):
             pattern |= (~np.isnan(self._at(name, which))).astype(np.intp) << bit
@@ -108,12 +121,12 @@ class _Task:
             if code < 0:
                 self._bare(model, quantity, given, asked)
             elif model.id == "exact":
-                self._coated(quantity, distinct[code], asked)
+                self._coated(quantity, distinct[code], given, asked)
             else:
                 told = "exact where there are layers, which no other knows"
                 self.refuse(asked, "model", repeat(model.id), told)
 
-    def _coated(self, quantity: str, text: str, which: Index) -> None:
+    def _coated(self, quantity: str, text: str, given: list[str], which: Index) -> None:
         """Answer rows that have the same layers."""
         wavelength_nm = np.full(which.size, np.nan)
         if WAVELENGTH_NM.name in self.rows.numbers:
@@ -134,7 +147,7 @@ class _Task:
             return
         which = which[known]
         at = np.where(np.isnan(wavelength_nm[known]), D_LINE_NM, wavelength_nm[known])
-        n_i, n_t, k_t, theta_i_deg = (self._numbers(p.name, p, which) for p in MEDIA)
+        n_i, n_t, k_t = (self._numbers(p.name, p, which) for p in (N_I, N_T, K_T))
         try:
             layers = [
                 layer_of(
@@ -146,7 +159,7 @@ class _Task:
                 for film, (n, k) in zip(films, media, strict=True)
             ]
             stack = Stack(n_i, layers, n_t, k_t, wavelength_nm=_one_if_equal(at))
-            values = of_films(quantity, stack, Incidence.from_degrees(theta_i_deg))
+            values = of_films(quantity, stack, self._incidence(given, which))
         except OpticsError as error:
             self.refuse(which, error.parameter, repeat(error.value), error.allowed)
             return
@@ -163,12 +176,16 @@ class _Task:
     def _bare(self, model: Model, quantity: str, given: list[str], which: Index) -> None:
         if which.size == 0:
             return
-        n_i, n_t, k_t, theta_i_deg = (self._numbers(p.name, p, which) for p in MEDIA)
-        interface, incidence = Interface(n_i, n_t, k_t), Incidence.from_degrees(theta_i_deg)
+        n_i, n_t, k_t = (self._numbers(p.name, p, which) for p in (N_I, N_T, K_T))
+        interface, incidence = Interface(n_i, n_t, k_t), self._incidence(given, which)
         if model.id == "exact":
             values = QUANTITIES[quantity](interface, incidence)
         else:
-            own = {name.partition(".")[2]: _one_if_equal(self._at(name, which)) for name in given}
+            own = {
+                name.partition(".")[2]: _one_if_equal(self._at(name, which))
+                for name in given
+                if "." in name
+            }
             arguments = model.arguments(interface, **own)
             if quantity == "R":
                 values = model.evaluate(interface, incidence, arguments)
@@ -176,6 +193,27 @@ class _Task:
                 Rs, Rp = model.evaluate_polarized(interface, incidence, arguments)
                 values = Rs if quantity == "Rs" else Rp
         self.outcome.values[which] = values
+
+    def _incidence(self, given: list[str], which: Index) -> Incidence:
+        """The directions of rows that all give radians or all do not."""
+        if THETA_I_RAD.name in given:
+            return Incidence.from_radians(_one_if_equal(self._at(THETA_I_RAD.name, which)))
+        return Incidence.from_degrees(self._numbers(THETA_I_DEG.name, THETA_I_DEG, which))
+
+    def _without_two_angles(self, which: Index) -> Index:
+        """Refuse rows that give their angle in degrees and in radians."""
+        if not {THETA_I_DEG.name, THETA_I_RAD.name} <= self.rows.numbers.keys():
+            return which
+        degrees, radians = (self._at(p.name, which) for p in (THETA_I_DEG, THETA_I_RAD))
+        both = ~np.isnan(degrees) & ~np.isnan(radians)
+        if not both.any():
+            return which
+        for row, rad, deg in zip(
+            *(values[both].tolist() for values in (which, radians, degrees)), strict=True
+        ):
+            told = given_beside(THETA_I_RAD.name, f"{rad:.17g}")
+            self.outcome.faults[row] = Fault(THETA_I_DEG.name, deg, told)
+        return which[~both]
 
     def _at(self, name: str, which: Index) -> Array:
         """A column at some rows, which are distinct and in order: all of them are the column."""

@@ -9,11 +9,23 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG, WAVELENGTH_NM, Array, Parameter
+from app.optics.parameters import (
+    K_T,
+    N_I,
+    N_T,
+    THETA_I_DEG,
+    THETA_I_RAD,
+    WAVELENGTH_NM,
+    Array,
+    Parameter,
+)
 from app.optics.registry import Registry
 
 MEDIA = (N_I, N_T, K_T, THETA_I_DEG)
 """The numbers of a row that every model takes."""
+
+ANGLES = (THETA_I_DEG.name, THETA_I_RAD.name)
+"""An angle comes in one of these."""
 
 NAMES = ("model", "quantity", "material", "incident", "layers")
 """The words of a row: `exact` and `R` where left out; presets in the place of numbers; films."""
@@ -75,7 +87,7 @@ class Rows:
 def number_columns(registry: Registry) -> dict[str, Parameter]:
     """Return the parameters that a column of numbers may hold, by the column's name."""
     own = {f"{model.id}.{p.name}": p for model in registry.values() for p in model.parameters}
-    return {parameter.name: parameter for parameter in (*MEDIA, WAVELENGTH_NM)} | own
+    return {parameter.name: parameter for parameter in (*MEDIA, THETA_I_RAD, WAVELENGTH_NM)} | own
 
 
 class Hints:

@@ -42,8 +42,8 @@ def evaluate(
             exists=True,
             dir_okay=False,
             help="CSV with a header row, or Parquet, with any of the columns n_i, n_t, k_t, "
-            "incident, material, wavelength_nm, theta_i_deg, model, quantity and "
-            "<model>.<parameter>; n, k, wavelength_um and energy_ev, semicolons, tabs and "
+            "incident, material, layers, wavelength_nm, theta_i_deg or theta_i_rad, model, quantity "
+            "and <model>.<parameter>; n, k, wavelength_um and energy_ev, semicolons, tabs and "
             "decimal commas are understood and told; what is empty is left out.",
         ),
     ],

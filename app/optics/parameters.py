@@ -167,6 +167,12 @@ THETA_I_DEG = Parameter(
 THETA_I = Parameter(
     "theta_i", r"\theta_i", 0.0, 0.0, np.pi / 2, "rad", "Angle of incidence from the normal."
 )
+THETA_I_RAD = replace(
+    THETA_I,
+    name="theta_i_rad",
+    description="The angle of incidence in radians, in place of theta_i_deg; the double nearest pi/2 "
+    "counts as 90 degrees.",
+)
 WAVELENGTH_NM = AboveMinimum(
     "wavelength_nm", r"\lambda", None, 0.0, 1e7, "nm", "Wavelength of the light."
 )

@@ -130,6 +130,43 @@ def test_every_model_gives_what_curves_gives(
         )
 
 
+RADIANS = [0.0, 0.3, 0.9827937232473290, 1.2, float(np.pi / 2)]
+
+
+@pytest.mark.parametrize("more", [{}, {"layers": "1.38:100"}, {"model": "schlick"}])
+def test_angles_in_radians_are_those_of_snell(post: Post, more: dict[str, Any]) -> None:
+    """To the last digit: radians do not become degrees on the way, where Rp is 0 least of all."""
+    item = {"n_t": 1.5, **more}
+    together, mixed = results(
+        post([item | {"theta_i_rad": RADIANS}, item | {"theta_i_rad": RADIANS[1]}])
+    )
+    degrees = results(post([item | {"theta_i_deg": np.degrees(RADIANS).tolist()}]))[0]
+    np.testing.assert_allclose(together, degrees, rtol=1e-9, atol=1e-15)
+    assert mixed == together[1]
+    assert together[-1] == 1.0
+    (Rp,) = results(post([{"n_t": 1.5, "quantity": "Rp", "theta_i_rad": RADIANS[2]}]))
+    assert Rp < 1e-31
+
+
+def test_an_angle_comes_once(post: Post) -> None:
+    both = {"theta_i_rad": 1.0, "theta_i_deg": 60.0}
+    found = results(
+        post([both, {"theta_i_rad": [1.0], "theta_i_deg": 2}, {"theta_i_rad": 1.6}, {}])
+    )
+    names = [one["errors"][0]["parameter"] for one in found[:3]]
+    assert names == ["theta_i_deg", "theta_i_deg", "theta_i_rad"]
+    assert found[3] == pytest.approx(0.04)
+    columns = {
+        "theta_i_rad": pa.array([1.0, None, 0.5, None]),
+        "theta_i_deg": pa.array([None, 60.0, 3.0, None]),
+    }
+    table = from_arrow(post(as_arrow(columns), ARROW))
+    expected = [float(fresnel(1.0, 1.5, 0.0, angle).R) for angle in (np.degrees(1.0), 60.0, 0.0)]
+    values = table["value"].to_pylist()
+    assert [values[0], values[1], values[3]] == pytest.approx(expected, rel=1e-12)
+    assert table["error"].to_pylist()[2].startswith("theta_i_deg = 3.0: given beside theta_i_rad")
+
+
 def test_groups_keep_the_order(post: Post) -> None:
     rng = np.random.default_rng(1)
     models = ["exact", "schlick", "lagarde_gc", "one_minus_cos", "lut_1d"]

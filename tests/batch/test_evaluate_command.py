@@ -75,6 +75,18 @@ def test_a_table_of_n_and_k_over_the_wavelength_is_evaluated(tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize("suffix", [".csv", ".parquet"])
+def test_angles_of_a_file_may_be_in_radians(tmp_path: Path, suffix: str) -> None:
+    path = tmp_path / f"angles{suffix}"
+    table = pa.table({"n_t": [1.5, 2.0], "theta_i_rad": [1.0, 0.25]})
+    (pa.csv.write_csv if suffix == ".csv" else pa.parquet.write_table)(table, path)
+    assert run(path)[0] == 0
+    values = read(path.with_name(f"angles-evaluated{suffix}"))["value"].to_pylist()
+    degrees = np.degrees([1.0, 0.25])
+    expected = [float(fresnel(1.0, n, 0.0, a).R) for n, a in zip((1.5, 2.0), degrees, strict=True)]
+    assert values == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".parquet"])
 def test_values_have_the_digits_asked_for(rows: Path, suffix: str) -> None:
     output = rows.with_name(f"out{suffix}")
     run(rows, "--output", output, "--keep", "pixel", "--digits", 5)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
@@ -13,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.api.evaluate.pieces import Piece
-from app.batch.rows import NAMES, Fault, Index, Names, Rows
+from app.batch.rows import ANGLES, NAMES, Fault, Index, Names, Rows
 from app.http.problems import BadParameters
-from app.optics.parameters import THETA_I_DEG, Array
+from app.optics.parameters import THETA_I_DEG, THETA_I_RAD, Array
 
 T = TypeVar("T", bound=np.generic)
 
@@ -33,15 +34,17 @@ class Items:
 
     numbers: dict[str, Array]
     names: dict[str, Names]
-    theta_i_deg: Array
+    angles: Array
     counts: Index
     listed: NDArray[np.bool_]
+    in_radians: NDArray[np.bool_]
+    """Whether the angles of an item are in radians."""
     wrong: Faults
 
     @property
     def size(self) -> int:
         """Bytes that they take."""
-        columns = [*self.numbers.values(), self.theta_i_deg, self.counts, self.listed]
+        columns = [*self.numbers.values(), self.angles, self.counts, self.listed, self.in_radians]
         return sum(column.nbytes for column in columns) + sum(
             codes.nbytes for codes, _ in self.names.values()
         )
@@ -66,10 +69,17 @@ class Items:
             part = column[start:stop]
             return np.repeat(part, counts) if listed.any() else part
 
+        given = self.angles[before : before + int(counts.sum())]
+        angles = {THETA_I_DEG.name: given}
+        if self.in_radians[start:stop].any():
+            in_radians = spread(self.in_radians)
+            angles = {
+                THETA_I_DEG.name: np.where(in_radians, np.nan, given),
+                THETA_I_RAD.name: np.where(in_radians, given, np.nan),
+            }
         rows = Rows(
             int(counts.sum()),
-            {name: spread(column) for name, column in self.numbers.items()}
-            | {THETA_I_DEG.name: self.theta_i_deg[before : before + int(counts.sum())]},
+            {name: spread(column) for name, column in self.numbers.items()} | angles,
             {
                 name: Names(spread(codes), distinct)
                 for name, (codes, distinct) in self.names.items()
@@ -93,9 +103,12 @@ class Gathered:
         self._numbers: dict[str, _Column[np.float64]] = {}
         self._codes: dict[str, _Column[np.intp]] = {}
         self._distinct: dict[str, dict[str | None, int]] = {name: {None: -1} for name in NAMES}
-        self._theta_i_deg: list[Array] = []
+        self._angles: list[Array] = []
         self._counts: list[Index] = []
         self._listed: list[NDArray[np.bool_]] = []
+        self._in_radians: list[NDArray[np.bool_]] = []
+        self.twice: list[int] = []
+        """Items among those last taken that give their angle twice, in degrees and in radians."""
         self.size = 0
         self.values = 0
 
@@ -108,21 +121,32 @@ class Gathered:
             If there are too many different names.
         """
         size, colons = len(items), 0
-        theta = np.full(size, np.nan)
-        counts, listed = np.ones(size, np.intp), np.zeros(size, np.bool_)
+        angles: dict[str, list[Any]] = {}
         for name in columns:
             given: Iterable[Any] = map(attrgetter(attribute_of(name)), items)
             if name in NAMES:
                 colons += self._name(name, list(given))
-            elif name == THETA_I_DEG.name:
-                theta, counts, listed = _angles(list(given))
-                # A list is given even if it is empty, and a number unless it is NaN.
-                colons += int(np.count_nonzero(listed)) + _given(theta[np.repeat(~listed, counts)])
+            elif name in ANGLES:
+                angles[name] = list(given)
             else:
                 colons += self._number(name, given, size)
-        self._theta_i_deg.append(theta)
+        in_radians, self.twice = np.zeros(size, np.bool_), []
+        one = angles.get(THETA_I_DEG.name, [math.nan] * size)
+        if THETA_I_RAD.name in angles:
+            radians = angles[THETA_I_RAD.name]
+            in_radians = np.array([_is_given(angle) for angle in radians], np.bool_)
+            self.twice = [i for i in np.flatnonzero(in_radians).tolist() if _is_given(one[i])]
+            one = [
+                r if is_rad else d for r, d, is_rad in zip(radians, one, in_radians, strict=True)
+            ]
+        theta, counts, listed = _angles(one)
+        # A list is given even if it is empty, and a number unless it is NaN.
+        colons += int(np.count_nonzero(listed)) + _given(theta[np.repeat(~listed, counts)])
+        colons += len(self.twice)
+        self._angles.append(theta)
         self._counts.append(counts)
         self._listed.append(listed)
+        self._in_radians.append(in_radians)
         self.size += size
         self.values += theta.size
         return colons
@@ -166,9 +190,10 @@ class Gathered:
                 )
                 for name, column in self._codes.items()
             },
-            np.concatenate([np.zeros(0), *self._theta_i_deg]),
+            np.concatenate([np.zeros(0), *self._angles]),
             np.concatenate([np.zeros(0, np.intp), *self._counts]),
             np.concatenate([np.zeros(0, np.bool_), *self._listed]),
+            np.concatenate([np.zeros(0, np.bool_), *self._in_radians]),
             wrong,
         )
 
@@ -195,6 +220,11 @@ class _Column(Generic[T]):
 
 def _given(column: Array) -> int:
     return int(column.size - np.count_nonzero(np.isnan(column)))
+
+
+def _is_given(angle: Any) -> bool:
+    """Whether an angle is a list, or a number and not the NaN of what is left out."""
+    return isinstance(angle, list) or not math.isnan(angle)
 
 
 def _angles(given: list[Any]) -> tuple[Array, Index, NDArray[np.bool_]]:

@@ -17,10 +17,10 @@ import numpy as np
 from app.api.evaluate.item_bounds import after_comma, end_of_item, refuse_unlike_angles, within
 from app.api.evaluate.item_columns import Faults, Gathered, Items, attribute_of
 from app.api.evaluate.pieces import MOST_TOLD, MOST_VALUES, TooManyValues
-from app.batch.rows import NAMES, THREE, Fault, Hints, number_columns
+from app.batch.rows import ANGLES, NAMES, THREE, Fault, Hints, number_columns
 from app.http.problems import BadParameters, unknown_parameter
 from app.optics.meant import instead
-from app.optics.parameters import THETA_I_DEG
+from app.optics.parameters import THETA_I_DEG, THETA_I_RAD
 from app.optics.registry import Registry
 
 _WINDOW = 250_000
@@ -97,7 +97,7 @@ class ItemReader:
         if name in NAMES:
             return name, str, None
         kind: Any = float
-        if name == THETA_I_DEG.name:
+        if name in ANGLES:
             kind = float | list[float]
         if self._columns[name].choices:
             kind = float | Literal[tuple(choice for choice, _ in self._columns[name].choices)]
@@ -125,6 +125,8 @@ class ItemReader:
             at = gathered.size
             read, start = self._window(body, start, stop, partial(wrong.add, at))
             fields = gathered.add(read.items, read.columns)
+            for index in gathered.twice:
+                wrong.two_angles(at + index)
             if fields != read.fields:
                 for index, name in read.repeated():
                     wrong.repeated(at + index, name)
@@ -251,6 +253,11 @@ class _Wrong:
     def repeated(self, index: int, name: str) -> None:
         """Take an item that gives a field more than once."""
         self._append(index, Fault(name, None, "given more than once"))
+
+    def two_angles(self, index: int) -> None:
+        """Take an item that gives its angle in degrees and in radians."""
+        message = f"given beside {THETA_I_RAD.name}, which takes its place; leave one out"
+        self._append(index, Fault(THETA_I_DEG.name, None, message))
 
     def _append(self, index: int, fault: Fault) -> None:
         if fault not in self._kinds and len(self._kinds) >= _MOST_KINDS:

@@ -4,8 +4,8 @@ from typing import Any
 
 from app.api.evaluate.arrow import MEDIA_TYPE
 from app.api.params import LayersQuery
-from app.batch.rows import MEDIA
-from app.optics.parameters import THETA_I_DEG, Parameter
+from app.batch.rows import ANGLES, MEDIA
+from app.optics.parameters import THETA_I_RAD, Parameter
 from app.optics.quantities import QUANTITIES
 from app.optics.registry import Registry
 
@@ -82,9 +82,9 @@ def _body(registry: Registry) -> dict[str, Any]:
         "quantity": {"type": "string", "enum": list(QUANTITIES), "default": "R"},
     }
     properties |= _presets()
-    for parameter in MEDIA:
+    for parameter in (*MEDIA, THETA_I_RAD):
         schema = _number(parameter)
-        if parameter is THETA_I_DEG:
+        if parameter.name in ANGLES:
             schema = {"anyOf": [schema, {"type": "array", "items": schema}]}
         properties[parameter.name] = _described(parameter, schema)
     for model in registry.values():
