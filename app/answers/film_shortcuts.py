@@ -14,6 +14,7 @@ from app.optics.film_models import CoatedSurface, Deviation, FilmModel, film_mod
 from app.optics.films import reflectances
 from app.optics.incidence import Incidence
 from app.optics.parameters import Array
+from app.optics.specular import MU_BAR
 from app.optics.stack import D_LINE_NM, Stack
 
 CHANNELS_NM = (650.0, 550.0, 450.0)
@@ -80,7 +81,7 @@ def coated_surface(
     ----------
     stack
         Over `WAVELENGTH_NM`. Of the film n at 587.6 nm counts; of the surface n and k at 650, 550
-        and 450 nm, and the color of its reflectance at normal incidence.
+        and 450 nm, and the color of its reflectance at normal incidence and at 82 degrees.
     thickness_nm, incidence
         Thicknesses and directions.
     viewing
@@ -93,12 +94,16 @@ def coated_surface(
         return np.interp(nm, WAVELENGTH_NM, np.broadcast_to(values, shape))
 
     bare = Stack(stack.n_i, [], substrate.n_t, substrate.k_t, wavelength_nm=WAVELENGTH_NM)
-    R = np.broadcast_to(reflectances(bare, Incidence.from_degrees(0.0))[0], shape)
+    mu = np.array([[1.0], [MU_BAR]])
+    Rs, Rp = reflectances(bare, Incidence.from_cosine(mu))
+    R = np.broadcast_to(0.5 * (Rs + Rp), (2, *shape))
+    F0, F82 = np.clip(R @ srgb_weights(*viewing), 0.0, 1.0)
     return CoatedSurface(
         thickness_nm=thickness_nm.reshape(-1, 1, 1),
         cos=incidence.cos.reshape(1, -1, 1),
         film_n=at(layer.n, (D_LINE_NM,)),
         n=at(substrate.n_t, CHANNELS_NM),
         k=at(substrate.k_t, CHANNELS_NM),
-        F0=np.clip(R @ srgb_weights(*viewing), 0.0, 1.0),
+        F0=F0,
+        F82=F82,
     )

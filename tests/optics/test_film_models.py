@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 from app.optics.color import WAVELENGTH_NM, delta_e_2000, lab, srgb_weights
 from app.optics.film_color import swept_colors
 from app.optics.film_models import CoatedSurface, Deviation, FilmModel, film_models
+from app.optics.film_models.openpbr_film import effective_index
 from app.optics.films import reflectances
 from app.optics.incidence import Incidence
 from app.optics.parameters import Array
@@ -60,13 +61,22 @@ RUNS = [
 ]
 
 
+def unpolarized(mu: Array, n: Array, k: Array) -> Array:
+    """R by Fresnel's equations in complex numbers."""
+    N = n + 1j * k
+    q = np.sqrt(N**2 - 1.0 + mu**2)
+    s, p = (mu - q) / (mu + q), (N**2 * mu - q) / (N**2 * mu + q)
+    return np.asarray(0.5 * (np.abs(s) ** 2 + np.abs(p) ** 2))
+
+
 def surface(
     thickness_nm: Array, incidence: Incidence, film_n: float, n: ArrayLike, k: ArrayLike
 ) -> CoatedSurface:
     eta, kappa = (np.broadcast_to(np.asarray(each, dtype=np.float64), (3,)) for each in (n, k))
     F0 = ((eta - 1.0) ** 2 + kappa**2) / ((eta + 1.0) ** 2 + kappa**2)
+    F82 = unpolarized(np.array([1.0 / 7.0]), eta, kappa)
     rows, columns = thickness_nm.reshape(-1, 1, 1), incidence.cos.reshape(1, -1, 1)
-    return CoatedSurface(rows, columns, np.array([film_n]), eta, kappa, F0)
+    return CoatedSurface(rows, columns, np.array([film_n]), eta, kappa, F0, F82)
 
 
 @pytest.mark.parametrize("run", RUNS, ids=lambda run: f"{run.model}-{run.thickness_nm:g}nm")
@@ -111,7 +121,7 @@ def test_every_shortcut_states_the_same_surfaces() -> None:
         model.id: [(each.film_n, each.n_t, each.k_t) for each in model.measured]
         for model in film_models().values()
     }
-    assert len(stated) == 4
+    assert len(stated) == 5
     assert len({tuple(each) for each in stated.values()}) == 1
 
 
@@ -131,6 +141,25 @@ def test_three_jumps_above_thickness_0() -> None:
     bare, thinnest = film_models()["gltf_iridescence"].color(at)[:, 0, 0]
     assert bare < 0.08
     assert thinnest > 0.15
+
+
+@pytest.mark.parametrize("N", [1.5 + 2.0j, 0.27 + 2.9j, 2.9 + 3.0j, 0.9 + 6.0j])
+def test_openpbr_finds_the_metal_behind_its_two_colors(N: complex) -> None:
+    """F0 and F82 alone bring back n and k, where |N| is at least 1 and no tint above 1 is wanted."""
+    n, k = np.array([N.real]), np.array([N.imag])
+    F0, F82 = (unpolarized(np.array([mu]), n, k) for mu in (1.0, 1.0 / 7.0))
+    assert F82 < F0 + (1.0 - F0) * (6.0 / 7.0) ** 5
+    np.testing.assert_allclose(effective_index(F0, F82), [n, k], rtol=1e-9)
+
+
+def test_openpbr_takes_a_tint_of_1_where_a_metal_wants_more() -> None:
+    """Potassium reflects at 82 degrees more than Schlick's curve, which is all that a tint can say."""
+    n, k = np.array([0.05]), np.array([1.5])
+    F0, F82 = (unpolarized(np.array([mu]), n, k) for mu in (1.0, 1.0 / 7.0))
+    schlick = F0 + (1.0 - F0) * (6.0 / 7.0) ** 5
+    assert schlick < F82
+    found = unpolarized(np.array([1.0, 1.0 / 7.0]), *effective_index(F0, F82))
+    np.testing.assert_allclose(found, [F0[0], schlick[0]], rtol=1e-9)
 
 
 @pytest.mark.parametrize("model", [model.id for model in film_models().values()])

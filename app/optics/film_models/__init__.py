@@ -48,6 +48,8 @@ class CoatedSurface:
     """Index of the surface."""
     F0: Array
     """What the surface reflects without the film at normal incidence."""
+    F82: Array
+    """The same at cos(theta_i) = 1/7."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -78,15 +78,20 @@ def under_film(
     return np.asarray(0.5 * total)
 
 
-def coated(surface: CoatedSurface, sensitivity: Sensitivity) -> Array:
-    """Each polarization by itself with its phase, two orders."""
+def of_index(surface: CoatedSurface, n: Array, k: Array, sensitivity: Sensitivity) -> Array:
+    """Each polarization by itself with its phase, two orders, over a surface of n + i k."""
 
     def lower(film_n: Array, cos2: Array) -> Face:
-        eta, kappa = surface.n / film_n, surface.k / film_n
-        s, p = _phases(cos2, film_n, surface.n, surface.k)
+        eta, kappa = n / film_n, k / film_n
+        s, p = _phases(cos2, film_n, n, k)
         return (Rs(cos2, eta, kappa), s), (Rp(cos2, eta, kappa), p)
 
     return under_film(surface, sensitivity, lower)
+
+
+def coated(surface: CoatedSurface, sensitivity: Sensitivity) -> Array:
+    """The same over the surface's own index."""
+    return of_index(surface, surface.n, surface.k, sensitivity)
 
 
 MODEL = FilmModel(
