@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -26,6 +26,9 @@ from app.optics.stack import Stack
 
 MOST_INCOHERENT = 4096
 """Cells of transmitted light or with an incoherent layer, each of which is a whole spectrum."""
+
+_ANGLES = 256
+"""Angles at a time of colors over many of them."""
 
 Quantity = Literal["R", "T"]
 
@@ -123,12 +126,7 @@ def film_colors(
     if incoherent or quantity == "T":
         what = "colors of films with an incoherent layer" if incoherent else "transmitted colors"
         refuse_more_than("thickness_nm", thickness_nm.size, cells, what, MOST_INCOHERENT)
-    whole, warnings = media.visible()
-    optical = optical_thickness(whole, place, float(thickness_nm.max()))
-    step = step_nm(optical)
-    if not is_resolved(optical):
-        warnings = [*warnings, UNRESOLVED]
-    stack = whole if step == 1 else media.visible(step)[0]
+    whole, stack, step, warnings = _sampled(media, place, float(thickness_nm.max()))
     incidence = Incidence.from_degrees(theta_i_deg)
     colors_of = swept_colors if quantity == "R" else transmitted_colors
     shortcuts = chosen_shortcuts(models, whole, quantity)
@@ -153,6 +151,42 @@ def film_colors(
         colors=colors,
         warnings=warnings,
     )
+
+
+def seen_over_angle(media: FilmMedia) -> tuple[Callable[[Incidence], Array], list[str]]:
+    """What gives the colors of films in daylight at directions of shape (A,), and what has to be said.
+
+    Raises
+    ------
+    OpticsError
+        If a layer has no thickness, or a medium no spectrum.
+    """
+    nm = media.layers[0].thickness_nm or 0.0
+    _, stack, step, warnings = _sampled(media, swept_place(media.layers, 1), nm)
+    thickness_nm, weights = np.array([nm]), srgb_weights(*DAYLIGHT)
+
+    def colors(incidence: Incidence) -> Array:
+        # What is prepared of each angle takes six times the wavelengths.
+        found = np.empty((incidence.cos.size, 3))
+        for first in range(0, len(found), _ANGLES):
+            some = slice(first, first + _ANGLES)
+            part = Incidence(incidence.cos[some], incidence.sin[some])
+            found[some] = swept_colors(stack, 0, thickness_nm, part, weights, step)[0]
+        return found
+
+    return colors, warnings
+
+
+def _sampled(
+    media: FilmMedia, place: int, thickest_nm: float
+) -> tuple[Stack, Stack, int, list[str]]:
+    """The stack at every wavelength, at as many as its fringes want, their distance, and warnings."""
+    whole, warnings = media.visible()
+    optical = optical_thickness(whole, place, thickest_nm)
+    step = step_nm(optical)
+    if not is_resolved(optical):
+        warnings = [*warnings, UNRESOLVED]
+    return whole, whole if step == 1 else media.visible(step)[0], step, warnings
 
 
 def model_colors(

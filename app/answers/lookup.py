@@ -9,6 +9,8 @@ import numpy as np
 from app.answers.answer import SentAs, Table, answer
 from app.answers.axes import INDICES, Axis, held, interfaces, refuse_many_cells
 from app.answers.curves import Chosen
+from app.answers.film_colors import seen_over_angle
+from app.answers.film_media import FilmMedia, MediaFacts
 from app.answers.films import Coated, LayerFacts, convention_text
 from app.answers.interface import CONVENTION, InterfaceFacts
 from app.materials.appearance import color_curve
@@ -119,6 +121,14 @@ class CoatedLookupTable(LookupTable):
 
 
 @answer
+class FilmLookupTable(LookupTable):
+    """A lookup table of the colors of films; `interface` is that without them, at one wavelength."""
+
+    media: MediaFacts
+    """The media over the wavelength, and the layers."""
+
+
+@answer
 class LookupErrors:
     """Errors of tables of many sizes."""
 
@@ -147,7 +157,9 @@ class Tabulated:
     """Coordinates of any shape, an argument each axis, to values with channels as a last axis."""
     warnings: tuple[str, ...] = ()
     coated: Coated | None = None
-    """The boundary with layers on it, where there are any."""
+    """The boundary with layers on it, where there are any, at one wavelength."""
+    media: FilmMedia | None = None
+    """The media and layers, where R is one of colors."""
 
     def values(self) -> Array:
         """Evaluate at the texels, of shape (rows, size, channels).
@@ -203,6 +215,19 @@ def color_over_mu(spectrum: Spectrum, interface: Interface, size: int) -> Tabula
     return Tabulated("exact", "R in linear sRGB", interface, (_mu(size),), values, warnings)
 
 
+def film_color_over_mu(media: FilmMedia, interface: Interface, size: int) -> Tabulated:
+    """Tabulate R, G and B of films over mu, integrated from the whole spectrum."""
+    colors, warnings = seen_over_angle(media)
+
+    def values(mu: Array) -> Array:
+        found = colors(Incidence.from_cosine(mu.ravel()))
+        return found.reshape(*mu.shape, 3)
+
+    axes = (_mu(size),)
+    told = tuple(warnings)
+    return Tabulated("exact", "R in linear sRGB", interface, axes, values, told, media=media)
+
+
 def albedo_over_index(chosen: Chosen, fixed: Interface, axis: Axis) -> Tabulated:
     """Tabulate the albedo over an index; of no model but exact."""
     if chosen.model.id != "exact":
@@ -245,7 +270,7 @@ def lookup_table(tabulated: Tabulated, depth: Depth) -> LookupTable:
     # Without the axes that only pictures need.
     plain = texels[0] if len(axes) == 1 else texels
     plain = plain[..., 0] if len(channels) == 1 else plain
-    coated = tabulated.coated
+    coated, media = tabulated.coated, tabulated.media
     kind: Any = LookupTable
     more: dict[str, Any] = {}
     if coated is not None:
@@ -256,6 +281,9 @@ def lookup_table(tabulated: Tabulated, depth: Depth) -> LookupTable:
             "layers": coated.layers,
             "convention": told,
         }
+    elif media is not None:
+        kind = FilmLookupTable
+        more = {"media": media.facts(), "convention": convention_text(layers=True)}
     table: LookupTable = kind(
         model=tabulated.model,
         quantity=tabulated.quantity,

@@ -30,7 +30,7 @@ from app.http.problems import BadParameters
 from app.http.query import Count, DigitsQuery, LongQuery, Number, TableQuery
 from app.http.route import QueryRoute
 from app.materials.films import read_layers
-from app.optics.errors import NotAllowed
+from app.optics.errors import NotAllowed, OpticsError
 from app.optics.pane import (
     ABSORPTION_PER_M,
     ASHRAE_B,
@@ -101,6 +101,24 @@ class FilmSpectrumQuery(FilmQuery, AngleQuery, TableQuery):
         count = int((high - low) / step + 1e-9) + 1
         refuse_more_than("step_nm", step, count, "wavelengths", MOST_STEPS)
         return np.asarray(low + step * np.arange(count))
+
+    def evaluated(self) -> FilmSpectrum:
+        """Evaluate the films.
+
+        Raises
+        ------
+        OpticsError
+            If a medium is not known at a wavelength: it names the end that is beyond what is known.
+        """
+        try:
+            return film_spectrum(self.media(), self.theta_i_deg, self.wavelengths_nm())
+        except OpticsError as error:
+            if error.parameter == "wavelength_nm":
+                middle = 0.5 * (self.minimum_nm + self.maximum_nm)
+                below = isinstance(error.value, float) and error.value < middle
+                error.parameter = "minimum_nm" if below else "maximum_nm"
+                error.value = getattr(self, error.parameter)
+            raise
 
     @property
     def takes_long(self) -> bool:
@@ -287,7 +305,7 @@ def router() -> APIRouter:
 
     @routes.get("/films/spectrum", summary="R, T and A of films over the wavelength")
     def spectrum(query: Annotated[FilmSpectrumQuery, Query()]) -> FilmSpectrum:
-        return film_spectrum(query.media(), query.theta_i_deg, query.wavelengths_nm())
+        return query.evaluated()
 
     @routes.get("/films/color", summary="Colors of films over thickness and angle")
     def color(query: Annotated[FilmColorQuery, Query()]) -> FilmColors:

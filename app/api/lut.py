@@ -6,16 +6,19 @@ from fastapi import APIRouter, Query
 from pydantic import Field
 from starlette.responses import Response
 
+from app.answers.film_media import FilmMedia, Side
 from app.answers.films import exact_alone
 from app.answers.lookup import (
     MOST_TEXELS,
     CoatedLookupTable,
+    FilmLookupTable,
     LookupErrors,
     LookupTable,
     Tabulated,
     albedo_over_index,
     coated_over_mu,
     color_over_mu,
+    film_color_over_mu,
     lookup_errors,
     lookup_table,
     reflectance_over_mu,
@@ -24,10 +27,12 @@ from app.answers.lookup import (
 from app.answers.lookup_files import ERROR_HEADER, MEDIA, file_bytes
 from app.api.axes import end, swept
 from app.api.model_parameters import ModelQuery, with_parameters_of
-from app.api.params import LayersQuery
+from app.api.params import LayersQuery, reported_as
 from app.http.query import Count, LongQuery, Number
 from app.http.route import QueryRoute
 from app.http.writing import shown_as, write
+from app.materials.films import read_layers
+from app.materials.front import Front
 from app.materials.media import default_catalog
 from app.optics.errors import NotAllowed
 from app.optics.lookup import Depth
@@ -82,8 +87,8 @@ class LutQuery(TabulatedQuery):
     )
     channels: Literal["1", "3"] = Field(
         "1",
-        description="3 for linear sRGB of a material: its spectrum integrated under D65 at every "
-        "angle. A model with three values of a parameter has three in any case.",
+        description="3 for linear sRGB of a material or of layers: the spectrum integrated under D65 "
+        "at every angle. A model with three values of a parameter has three in any case.",
     )
     format: Format = Field("json", description="How the table is sent.")
 
@@ -97,22 +102,23 @@ def tabulated(query: TabulatedQuery, size: int) -> Tabulated:
         If parameters contradict one another.
     """
     chosen, over = query.chosen(), query.over
+    colored = isinstance(query, LutQuery) and query.channels == "3"
     unused = ["minimum", "maximum"] if over == "mu" else []
     unused += [] if "mu," in over else ["rows"]
     for name in unused:
         if name in query.model_fields_set:
             raise NotAllowed(name, getattr(query, name), f"not with over = {over}")
-    coated = query.coated()
-    if coated is not None:
+    if query.layers is not None:
         if over != "mu":
             raise NotAllowed("over", over, "mu where there are layers")
-        if isinstance(query, LutQuery) and query.channels == "3":
-            why = "1 where there are layers; /films/color has their colors over the angle"
-            raise NotAllowed("channels", 3, why)
         exact_alone([chosen.model.id], "model")
+        if colored:
+            return _of_films(query, query.layers, size)
+    coated = query.coated()
+    if coated is not None:
         return coated_over_mu(coated, size)
-    if isinstance(query, LutQuery) and query.channels == "3":
-        return _spectral(query)
+    if colored:
+        return _spectral(query, size)
     if over == "mu":
         return reflectance_over_mu(chosen, query.interface(), size)
     index: Literal["n_t", "k_t"] = "n_t" if "n_t" in over else "k_t"
@@ -122,14 +128,30 @@ def tabulated(query: TabulatedQuery, size: int) -> Tabulated:
     return albedo_over_index(chosen, query.interface(), swept(query, index, "", size))
 
 
-def _spectral(query: LutQuery) -> Tabulated:
+def _of_films(query: TabulatedQuery, layers: str, size: int) -> Tabulated:
+    """Films in linear sRGB, of media that vary with the wavelength where they have a spectrum."""
+    if query.wavelength_nm is not None:
+        why = "not beside channels = 3, which are of all wavelengths"
+        raise NotAllowed("wavelength_nm", query.wavelength_nm, why)
+    front = Front(query.n_i)
+    if query.incident is not None:
+        with reported_as(material="incident"):
+            front = Front.named(query.incident)
+    index, material = complex(query.n_t, query.k_t), query.material
+    varies = material is not None and default_catalog().get(material).kind == "spectrum"
+    media = FilmMedia(front, read_layers(layers), Side(index, material if varies else None))
+    return film_color_over_mu(media, query.interface(), size)
+
+
+def _spectral(query: TabulatedQuery, size: int) -> Tabulated:
     if query.material is None or query.over != "mu" or query.model != "exact":
-        raise NotAllowed("channels", 3, "1, but for exact over mu of a material with a spectrum")
+        why = "1, but for exact over mu of layers or of a material with a spectrum"
+        raise NotAllowed("channels", 3, why)
     for name in ("incident", "wavelength_nm"):
         if getattr(query, name) is not None:
             raise NotAllowed(name, getattr(query, name), "not beside channels = 3; give n_i")
     spectrum = default_catalog().spectrum(query.material)
-    return color_over_mu(spectrum, query.interface(), query.size)
+    return color_over_mu(spectrum, query.interface(), size)
 
 
 def depth_of(query: LutQuery) -> Depth:
@@ -154,7 +176,7 @@ def router(registry: Registry) -> APIRouter:
 
     @routes.get(
         "/lut",
-        response_model=LookupTable | CoatedLookupTable,
+        response_model=LookupTable | CoatedLookupTable | FilmLookupTable,
         responses={200: {"content": files}},
         summary="A lookup table of R or of the albedo, with its interpolation error",
     )

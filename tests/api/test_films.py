@@ -166,6 +166,32 @@ def test_a_table_of_a_coated_surface(ask: Ask) -> None:
     assert error_of(ask("/lut", layers="1.38:100", model="schlick"))["parameter"] == "model"
 
 
+@pytest.mark.parametrize("layers", ["MgF2:99.6", "MgF2:99.6,Ag:12", "BK7:1000000:incoherent"])
+def test_a_table_of_colors_is_that_of_the_films(ask: Ask, layers: str) -> None:
+    """Between its texels too, to the error that it states: what /films/color has is the referee."""
+    query = {"material": "Al", "layers": layers}
+    told = json_of(ask("/lut", channels=3, size=33, **query))
+    assert told["channels"] == ["red", "green", "blue"]
+    assert told["media"]["layers"][0]["medium"] in layers
+    mu = np.linspace(0.0, 1.0, 12)
+    nm = layers.split(",")[0].split(":")[1]
+    angles = ",".join(f"{angle:.17g}" for angle in np.degrees(np.arccos(mu)))
+    colors = json_of(ask("/films/color", thickness_nm=nm, theta_i_deg=angles, **query))["colors"]
+    at = np.linspace(0.0, 1.0, 33)
+    texels = np.array(told["texels"])
+    read = np.stack([np.interp(mu, at, channel) for channel in texels.T], axis=-1)
+    off = np.abs(read - np.array(colors[0]["linear_srgb"][0]))
+    assert off.max() <= told["error"]["max_abs"] < 0.2
+    assert off[[0, -1]].max() < 1e-6
+
+
+def test_what_a_table_of_colors_cannot_be_is_refused(ask: Ask) -> None:
+    for name, value in (("wavelength_nm", 550), ("model", "schlick"), ("over", "mu,n_t")):
+        query = {"layers": "1.38:100", "channels": 3, name: value}
+        assert error_of(ask("/lut", **query))["parameter"] == name
+    assert error_of(ask("/lut", channels=3))["parameter"] == "channels"
+
+
 def test_mueller_and_jones_of_one_surface(ask: Ask) -> None:
     """Light polarized at 45 degrees, reflected by a coated mirror, in both conventions."""
     query = {"layers": "SiO2:100", "material": "Al", "theta_i_deg": 60, "stokes": "1,0,1,0"}

@@ -30,6 +30,22 @@ def test_a_spectrum_is_made_of_rays(ask: Ask) -> None:
     assert told["media"]["material"]["id"] == "BK7"
 
 
+@pytest.mark.parametrize(
+    ("given", "named", "value"),
+    [
+        ({"minimum_nm": 0.4}, "minimum_nm", "0.4"),
+        ({"maximum_nm": 9000, "step_nm": 10}, "maximum_nm", "9000"),
+        ({"minimum_nm": 150, "maximum_nm": 9000, "step_nm": 10}, "minimum_nm", "150"),
+    ],
+)
+def test_an_end_beyond_what_is_known_is_named(
+    ask: Ask, given: dict[str, float], named: str, value: str
+) -> None:
+    error = error_of(ask("/films/spectrum", layers="MgF2:99.6", **given))
+    assert (error["parameter"], error["value"]) == (named, value)
+    assert "200 to 7000 nm" in error["message"]
+
+
 def test_a_spectrum_as_a_table(ask: Ask) -> None:
     rows = rows_of(ask("/films/spectrum", layers="1.38:100", step_nm=200, format="csv"))
     assert list(rows[0]) == [
@@ -159,7 +175,7 @@ def test_a_wanted_color_is_found_again(ask: Ask) -> None:
         ("/films/spectrum", {"layers": "1.38"}, "layers", "MEDIUM:NM"),
         ("/films/spectrum", {"layers": "water-shirley:5"}, "layers", "a single index"),
         ("/films/spectrum", {"layers": "1.38:9", "material": "BK7", "n_t": 1}, "n_t", "takes its"),
-        ("/films/spectrum", {"layers": "BK7:9", "minimum_nm": 200}, "wavelength_nm", "300 to 2500"),
+        ("/films/spectrum", {"layers": "BK7:9", "minimum_nm": 200}, "minimum_nm", "300 to 2500"),
         ("/films/spectrum", {"layers": "1.3:9", "step_nm": 0.001}, "step_nm", "at most"),
         ("/films/spectrum", {"layers": "1.3:9", "minimum_nm": 900}, "minimum_nm", "at most"),
         ("/films/color", {"layers": "1.33,1.5", "thickness_nm": "5"}, "layers", "only layer 1"),

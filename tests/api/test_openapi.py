@@ -14,7 +14,12 @@ from app.answers.curves import CoatedCurves, Curves
 from app.answers.error_grids import ErrorMap, ErrorSweep
 from app.answers.errors import Errors
 from app.answers.interface import InterfaceFacts
-from app.answers.lookup import CoatedLookupTable, LookupErrors, LookupTable
+from app.answers.lookup import (
+    CoatedLookupTable,
+    FilmLookupTable,
+    LookupErrors,
+    LookupTable,
+)
 from app.answers.models import RegisteredModel
 from app.answers.recommendation import Recommendation
 from app.answers.snell import Amplitude, CoatedRay, Ray
@@ -47,7 +52,11 @@ OUTPUTS = {
     "/lut/errors": LookupErrors,
     "/recommend": Recommendation,
 }
-WITH_LAYERS = {"/snell": CoatedRay, "/curves": CoatedCurves, "/lut": CoatedLookupTable}
+WITH_LAYERS: dict[str, list[type[Any]]] = {
+    "/snell": [CoatedRay],
+    "/curves": [CoatedCurves],
+    "/lut": [CoatedLookupTable, FilmLookupTable],
+}
 OWN = [(model, p) for model in default_registry().values() for p in model.parameters]
 
 
@@ -82,7 +91,7 @@ def test_routes_are_described(schema: dict[str, Any], path: str) -> None:
     assert route["summary"]
     assert route["tags"]
     body = route["responses"]["200"]["content"]["application/json"]["schema"]
-    kinds = [OUTPUTS[path], *([WITH_LAYERS[path]] if path in WITH_LAYERS else [])]
+    kinds = [OUTPUTS[path], *WITH_LAYERS.get(path, [])]
     told = [{"$ref": f"#/components/schemas/{kind.__name__}"} for kind in kinds]
     assert body.get("anyOf", [body]) == told
     assert MEDIA_TYPE in route["responses"]["4XX"]["content"]
