@@ -5,6 +5,7 @@ from __future__ import annotations
 from app.answers.answer import answer, filled
 from app.optics.registry import Measured, Model
 from app.snippets.languages import Language, Trust
+from app.snippets.piece import Piece
 from app.snippets.snippet import Argument, arguments_of, reason_without, write
 
 
@@ -56,6 +57,52 @@ class Shader:
     reference: str
     validity: str
     measured: tuple[Measured, ...]
+
+
+@answer
+class PieceLink:
+    """Code that is no model's, but stands beside all of them."""
+
+    id: str
+    title: str
+    url: str
+
+    @classmethod
+    def of(cls, piece: Piece) -> PieceLink:
+        """Tell of one."""
+        return filled(cls, piece, url=f"/api/v1/shaders/{piece.id}")
+
+
+@answer
+class PieceOfCode:
+    """Some functions in one language."""
+
+    id: str
+    title: str
+    language: str
+    checked: Trust
+    """run: compiled, run and compared with Python; compiled; or untested."""
+    checked_by: str
+    """What checks it, or why nothing does."""
+    functions: tuple[str, ...]
+    """Their names; one of vectors has `_xyz` behind that of its components."""
+    arguments: tuple[Argument, ...]
+    code: str
+    reference: str
+    validity: str
+
+
+def piece_of_code(piece: Piece, language: Language) -> PieceOfCode:
+    """Write a piece in a language."""
+    checked, by = piece.trust(language)
+    return filled(
+        PieceOfCode,
+        piece,
+        language=language.id,
+        checked=checked,
+        checked_by=by,
+        code=piece.write(language),
+    )
 
 
 def shader_url(model: Model) -> str | None:

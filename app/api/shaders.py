@@ -9,30 +9,47 @@ from pydantic import Field
 from starlette.responses import PlainTextResponse, Response
 
 from app.answers.answer import answer, filled
-from app.answers.shaders import Shader, ShaderLink, ShadingLanguage, shader
+from app.answers.shaders import (
+    PieceLink,
+    PieceOfCode,
+    Shader,
+    ShaderLink,
+    ShadingLanguage,
+    piece_of_code,
+    shader,
+)
 from app.http.problems import MissingResource
 from app.http.query import QueryModel
 from app.http.route import LastingRoute
 from app.optics.errors import NotAllowed, UnknownModel
 from app.optics.registry import Registry
+from app.snippets import lookup, vectors
 from app.snippets.languages import LANGUAGES
+from app.snippets.piece import Piece
 from app.snippets.snippet import reason_without
+
+PIECES = (vectors.PIECE, lookup.PIECE)
 
 TEXT_AS_WELL: dict[int | str, dict[str, object]] = {
     200: {"content": {"text/plain": {"schema": {"type": "string"}}}}
 }
 
 
-class ShaderQuery(QueryModel):
-    """Which language, and how much."""
+class LanguageQuery(QueryModel):
+    """Which language."""
 
     language: Literal["glsl", "hlsl", "wgsl", "osl", "javascript", "python"] = Field(
         "glsl", description="Shading language, JavaScript, or Python with NumPy."
     )
+    format: Literal["json", "text"] = Field("json", description="JSON, or the code alone.")
+
+
+class ShaderQuery(LanguageQuery):
+    """Which language, and how much."""
+
     channels: Literal["1", "3"] = Field(
         "1", description="1 for real numbers; 3 adds a function of RGB colors, `<model>_rgb`."
     )
-    format: Literal["json", "text"] = Field("json", description="JSON, or the code alone.")
 
 
 @answer
@@ -41,6 +58,8 @@ class Shaders:
 
     languages: list[ShadingLanguage]
     shaders: list[ShaderLink]
+    pieces: list[PieceLink]
+    """What is no model's, but stands beside all of them."""
 
 
 def router(registry: Registry) -> APIRouter:
@@ -52,7 +71,23 @@ def router(registry: Registry) -> APIRouter:
         return Shaders(
             languages=[filled(ShadingLanguage, language) for language in LANGUAGES.values()],
             shaders=[ShaderLink.of(model) for model in registry.values()],
+            pieces=[PieceLink.of(piece) for piece in PIECES],
         )
+
+    def offer(piece: Piece) -> None:
+        @routes.get(
+            f"/shaders/{piece.id}",
+            name=piece.id,
+            response_model=PieceOfCode,
+            responses=TEXT_AS_WELL,
+            summary=f"{piece.title}, as code",
+        )
+        def code(query: Annotated[LanguageQuery, Query()]) -> PieceOfCode | Response:
+            made = piece_of_code(piece, LANGUAGES[query.language])
+            return PlainTextResponse(made.code) if query.format == "text" else made
+
+    for piece in PIECES:
+        offer(piece)
 
     @routes.get(
         "/shaders/{model_id}",

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.optics.errors import NotAllowed
-from app.optics.parameters import Array
+from app.optics.parameters import Array, Number
 
 Depth = Literal["unorm8", "unorm16", "half", "float"]
 """Integers from 0 to 1 in 8 or 16 bits, or floats of 16 or 32."""
@@ -57,6 +57,11 @@ def quantize(values: Array, depth: Depth) -> Array:
     if outside.size:
         raise NotAllowed("bits", bits, f"32 for values beyond 0 to 1, such as {outside[0]:.6g}")
     return np.asarray(whole / steps)
+
+
+def texel_coordinate(mu: Number, texels: Number) -> Array:
+    """Where a texture over mu is to be sampled, the middles of its outer texels at 0 and 1."""
+    return np.asarray((mu * (texels - 1.0) + 0.5) / texels)
 
 
 def line_error(

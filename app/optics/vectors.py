@@ -11,9 +11,26 @@ from app.optics.amplitudes import wave
 from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
-from app.optics.parameters import Array
+from app.optics.parameters import Array, Number
 
 _UNIT_TOLERANCE = 1e-6
+
+
+def cos2_refracted(mu: Number, eta: Number) -> Array:
+    """cos^2(theta_t), negative where all is reflected."""
+    return np.asarray(1.0 - (1.0 - mu) * (1.0 + mu) / (eta * eta))
+
+
+def reflected(mu: Number, d: Number, n: Number) -> Array:
+    """A component of the reflected direction, of those of the incident one and of the normal."""
+    return np.asarray(d + 2.0 * mu * n)
+
+
+def refracted(mu: Number, eta: Number, d: Number, n: Number) -> Array:
+    """A component of the refracted direction, 0 where there is none."""
+    cos2_t = cos2_refracted(mu, eta)
+    onward = (d + mu * n) / eta - np.sqrt(np.maximum(cos2_t, 0.0)) * n
+    return np.where(cos2_t < 0.0, 0.0, onward)
 
 
 def reflect(incident: ArrayLike, normal: ArrayLike) -> Array:
@@ -37,7 +54,7 @@ def reflect(incident: ArrayLike, normal: ArrayLike) -> Array:
         If a vector is no unit vector of two or three components, or comes from behind.
     """
     i, n, cos_i = _unit_pair(incident, normal)
-    return np.asarray(i + 2.0 * cos_i * n)
+    return reflected(cos_i, i, n)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -102,12 +119,9 @@ def refract(
         stands = length[..., 0] == 0.0
         direction = onward / np.where(length == 0.0, 1.0, length)
         return Refraction(direction, ~stands)
-    ratio = (interface.n_i / interface.n_t)[..., np.newaxis]
-    tangential = ratio * (i + cos_i * n)
-    cos2_t = 1.0 - np.sum(tangential * tangential, axis=-1, keepdims=True)
-    exists = cos2_t >= 0.0
-    direction = tangential - np.sqrt(np.maximum(cos2_t, 0.0)) * n
-    return Refraction(np.where(exists, direction, 0.0), exists[..., 0])
+    eta = interface.eta[..., np.newaxis]
+    exists = cos2_refracted(cos_i, eta) >= 0.0
+    return Refraction(refracted(cos_i, eta, i, n), exists[..., 0])
 
 
 def _unit_pair(incident: ArrayLike, normal: ArrayLike) -> tuple[Array, Array, Array]:

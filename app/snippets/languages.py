@@ -176,7 +176,9 @@ class Language:
             "}",
         ]
 
-    def per_channel(self, formula: Formula, colors: Sequence[str]) -> list[str]:
+    def per_channel(
+        self, formula: Formula, colors: Sequence[str], suffix: str = "_rgb"
+    ) -> list[str]:
         """Write the function that takes colors and calls the formula once a channel."""
         calls = [
             "{}({})".format(
@@ -186,7 +188,7 @@ class Language:
             for c in self.rgb
         ]
         inner = ",\n".join(f"        {call}" for call in calls)
-        head = self.head(f"{formula.name}_rgb", formula.arguments, colors)
+        head = self.head(f"{formula.name}{suffix}", formula.arguments, colors)
         return [head, f"    return {self.color}(\n{inner});", "}"]
 
     def commented(self, lines: Sequence[str]) -> list[str]:
@@ -257,11 +259,13 @@ class _JavaScript(Language):
     def head(self, name: str, arguments: Sequence[str], colors: Sequence[str] | None) -> str:  # noqa: ARG002
         return f"function {name}({', '.join(map(self.name, arguments))}) {{"
 
-    def per_channel(self, formula: Formula, colors: Sequence[str]) -> list[str]:
+    def per_channel(
+        self, formula: Formula, colors: Sequence[str], suffix: str = "_rgb"
+    ) -> list[str]:
         given = ", ".join(
             f"{self.name(a)}[i]" if a in colors else self.name(a) for a in formula.arguments
         )
-        head = self.head(f"{formula.name}_rgb", formula.arguments, colors)
+        head = self.head(f"{formula.name}{suffix}", formula.arguments, colors)
         return [head, f"    return [0, 1, 2].map((i) => {formula.name}({given}));", "}"]
 
 
@@ -304,7 +308,12 @@ class _Python(Language):
     def function(self, formula: Formula) -> list[str]:
         return super().function(formula)[:-1]
 
-    def per_channel(self, formula: Formula, colors: Sequence[str]) -> list[str]:  # noqa: ARG002
+    def per_channel(
+        self,
+        formula: Formula,  # noqa: ARG002
+        colors: Sequence[str],  # noqa: ARG002
+        suffix: str = "_rgb",  # noqa: ARG002
+    ) -> list[str]:
         return []  # arrays broadcast
 
 

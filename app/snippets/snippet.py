@@ -103,7 +103,7 @@ def write(model: Model, language: Language, channels: int = 1) -> str:
     lines = language.commented(
         [
             *_told(model),
-            *_untested(language),
+            *untested(language),
             *_ends(arguments),
         ]
     )
@@ -139,10 +139,15 @@ def _ends(arguments: Sequence[Argument]) -> Iterator[str]:
     yield TOLD
 
 
-def _untested(language: Language) -> Iterator[str]:
-    # Pasted code has left behind what the page and the API say of it.
+def untested(language: Language) -> Iterator[str]:
+    """Say so where no test of ours can compile the language."""
     if language.checked == "untested":
-        yield f"Untested: {language.checked_by}"
+        yield untested_words(language.checked_by)
+
+
+def untested_words(by: str) -> str:
+    """What is said in the code: pasted code has left behind what the page and the API say of it."""
+    return f"Untested: {by}"
 
 
 def _error(measured: Measured) -> str:

@@ -17,6 +17,9 @@ def test_lists_languages_and_models(ask: Ask) -> None:
     assert list(checked) == ["glsl", "hlsl", "wgsl", "osl", "javascript", "python"]
     assert checked["osl"] == "untested"
     assert [link["model"] for link in listed["shaders"]] == list(default_registry())
+    for piece in listed["pieces"]:
+        told = ask(piece["url"].removeprefix("/api/v1")).json()
+        assert (told["id"], told["title"]) == (piece["id"], piece["title"])
     for link in listed["shaders"]:
         url = link["url"]
         assert (url is None) == (link["reason"] is not None) == (link["model"] in OPEN)
@@ -39,6 +42,19 @@ def test_gives_each_in_each_language(ask: Ask, model: str, language: str) -> Non
     assert text.headers["content-type"] == "text/plain; charset=utf-8"
     assert text.text == code
     assert ("Untested: " in code) == (told["checked"] == "untested")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_gives_directions_in_each_language(ask: Ask, language: str) -> None:
+    told = json_of(ask("/shaders/vectors", language=language))
+    assert told["functions"] == ["reflected", "refracted"]
+    assert [argument["name"] for argument in told["arguments"]] == ["mu", "eta", "d", "n"]
+    for name in told["functions"]:
+        assert f"{name}(" in told["code"]
+        assert (f"{name}_xyz(" in told["code"]) == (language != "python")
+    assert ask("/shaders/lookup", language=language).json()["code"].count("table_lookup(") == 1
+    assert ("Untested: " in told["code"]) == (told["checked"] == "untested")
+    assert ask("/shaders/vectors", language=language, format="text").text == told["code"]
 
 
 def test_is_glsl_of_real_numbers_unless_asked(ask: Ask) -> None:

@@ -8,9 +8,12 @@ import numpy as np
 import pytest
 from playwright.sync_api import BrowserType, Page
 
+from app.optics import vectors
 from app.optics.registry import Model
 from app.snippets.languages import LANGUAGES
+from app.snippets.lookup import write_lookup
 from app.snippets.snippet import arguments_of, write
+from app.snippets.vectors import SUFFIX, write_vectors
 from tests.browser.gpu import run
 from tests.snippets.cases import MODELS, at_the_ends, cases, check_at_the_ends
 
@@ -58,6 +61,42 @@ def test_equals_the_model(gpu_page: Page, language: str, model: Model) -> None:
         error = np.max(np.abs(values - case.R[:, np.newaxis]))
         worst[case.interface] = error / tolerance(model, case.interface)
     assert max(worst.values()) <= 1.0, worst
+
+
+@pytest.mark.parametrize("name", ["reflected", "refracted"])
+@pytest.mark.parametrize("language", ["glsl", "wgsl"])
+def test_directions_equal_those_of_the_optics(gpu_page: Page, language: str, name: str) -> None:
+    rng = np.random.default_rng(6)
+    mu, eta = rng.uniform(0.05, 1.0, 300), rng.uniform(0.6, 2.5, 300)
+    given = np.array([mu, eta, *rng.uniform(-1.0, 1.0, (2, 300))], np.float32).astype(np.float64)
+    arguments = given[[0, 2, 3]] if name == "reflected" else given
+    # The harness calls a function of colors by the name that those of models have.
+    code = write_vectors(LANGUAGES[language]).replace(SUFFIX, "_rgb")
+    per_channel = [False] * (len(arguments) - 2) + [True, True]
+    values = run(gpu_page, language, code, name, per_channel, arguments)
+    if isinstance(values, str):
+        (pytest.fail if os.environ.get("CI") else pytest.skip)(values)
+    expected = getattr(vectors, name)(*arguments)
+    clear = (
+        np.abs(vectors.cos2_refracted(given[0], given[1])) > 1e-3
+    )  # away from the critical angle
+    assert np.max(np.abs(values - expected[:, np.newaxis])[clear]) < DIELECTRIC
+
+
+def test_reading_a_table_compiles_in_webgpu(gpu_page: Page) -> None:
+    told = gpu_page.evaluate(
+        """async (code) => {
+          const adapter = await navigator.gpu?.requestAdapter();
+          if (!adapter) return 'no WebGPU';
+          const device = await adapter.requestDevice();
+          const module = device.createShaderModule({ code });
+          return (await module.getCompilationInfo()).messages.map((m) => m.message);
+        }""",
+        write_lookup(LANGUAGES["wgsl"]),
+    )
+    if isinstance(told, str):
+        (pytest.fail if os.environ.get("CI") else pytest.skip)(told)
+    assert told == []
 
 
 MOST_AT_ONCE = 4096

@@ -17,7 +17,13 @@ def test_shows_the_code_of_what_is_compared(quiet_page: Page) -> None:
         "Schlick",
         "Cosine form",
         "Exact Fresnel",
+        "Reflected and refracted directions",
+        "Reading a table, Wloka's figure 10",
     ]
+    offered.select_option("vectors")
+    expect(code).to_have_text(api(page, "/shaders/vectors")["code"])
+    assert link(page)["code"] == "vectors"
+    page.go_back()
     offered.select_option("cos_form")
     expect(code).to_have_text(api(page, "/shaders/cos_form")["code"])
     panel.get_by_label("GLSL").focus()

@@ -1,5 +1,6 @@
 """Snippets: the Python runs and equals the model, compilers take GLSL and HLSL, what is refused."""
 
+import json
 import os
 import shutil
 import subprocess
@@ -13,10 +14,13 @@ from numpy.typing import NDArray
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.registry import Model, default_registry
+from app.optics.vectors import reflect, refract
 from app.snippets.formula import Untranslatable, read
 from app.snippets.guards import guarded
 from app.snippets.languages import LANGUAGES, WIDTH
+from app.snippets.lookup import write_lookup
 from app.snippets.snippet import arguments_of, reason_without, write
+from app.snippets.vectors import write_vectors
 from tests.snippets.cases import MODELS, at_the_ends, cases, check_at_the_ends
 
 Array = NDArray[np.float64]
@@ -139,6 +143,78 @@ def compiled(validator: str, language: str, code: str, tmp_path: Path) -> str | 
 @over_models
 def test_compiles(validator: str, model: Model, language: str, tmp_path: Path) -> None:
     code = write(model, LANGUAGES[language], 3)
+    assert compiled(validator, language, code, tmp_path) is None
+    wrong = code.replace("return", "return undeclared +", 1)
+    assert compiled(validator, language, wrong, tmp_path) is not None
+
+
+def rays() -> tuple[Array, Array, Array, Array]:
+    """Incident directions and normals in space, of shape (rays, 3), with mu and eta of each."""
+    rng = np.random.default_rng(5)
+    d, n = (v / np.linalg.norm(v, axis=1, keepdims=True) for v in rng.normal(size=(2, 200, 3)))
+    n = np.where((d * n).sum(axis=1, keepdims=True) > 0.0, -n, n)
+    return d, n, -(d * n).sum(axis=1), rng.uniform(0.5, 2.5, 200)
+
+
+def test_directions_in_python_are_those_of_the_optics() -> None:
+    names: dict[str, Any] = {}
+    exec(write_vectors(LANGUAGES["python"]), names)  # noqa: S102
+    for d, n, mu, eta in zip(*rays(), strict=True):
+        np.testing.assert_allclose(names["reflected"](mu, d, n), reflect(d, n), atol=1e-15)
+        ray = refract(d, n, 1.0, eta)
+        np.testing.assert_allclose(names["refracted"](mu, eta, d, n), ray.direction, atol=1e-15)
+
+
+def test_directions_in_javascript_are_those_of_the_optics() -> None:
+    node = shutil.which("node")
+    if node is None:
+        (pytest.fail if os.environ.get("CI") else pytest.skip)("no node")
+    d, n, mu, eta = (values.tolist() for values in rays())
+    script = write_vectors(LANGUAGES["javascript"]) + (
+        f"const [d, n, mu, eta] = {json.dumps([d, n, mu, eta])};\n"
+        "console.log(JSON.stringify(d.map((each, j) => [reflected_xyz(mu[j], each, n[j]), "
+        "refracted_xyz(mu[j], eta[j], each, n[j])])));"
+    )
+    told = subprocess.run([node, "-e", script], capture_output=True, text=True, check=True)
+    for i, up, ratio, (mirrored, bent) in zip(d, n, eta, json.loads(told.stdout), strict=True):
+        np.testing.assert_allclose(mirrored, reflect(i, up), atol=1e-15)
+        np.testing.assert_allclose(bent, refract(i, up, 1.0, ratio).direction, atol=1e-15)
+
+
+@pytest.mark.parametrize("language", FRAMES)
+def test_directions_compile(validator: str, language: str, tmp_path: Path) -> None:
+    code = write_vectors(LANGUAGES[language])
+    assert "reflected_xyz(float mu, " in code
+    assert compiled(validator, language, code, tmp_path) is None
+    wrong = code.replace("return", "return undeclared +", 1)
+    assert compiled(validator, language, wrong, tmp_path) is not None
+
+
+TABLE = [0.0, 0.3, 0.35, 1.0, 0.9]
+COSINES = [-0.1, 0.0, 0.1, 0.5, 0.77, 1.0, 1.1]
+READ = np.interp(COSINES, np.linspace(0.0, 1.0, len(TABLE)), TABLE)
+
+
+def test_a_table_is_read_in_python_as_numpy_interpolates() -> None:
+    names: dict[str, Any] = {}
+    exec(write_lookup(LANGUAGES["python"]), names)  # noqa: S102
+    np.testing.assert_allclose(names["table_lookup"](TABLE, np.array(COSINES)), READ, atol=1e-15)
+
+
+def test_a_table_is_read_in_javascript_as_numpy_interpolates() -> None:
+    node = shutil.which("node")
+    if node is None:
+        (pytest.fail if os.environ.get("CI") else pytest.skip)("no node")
+    script = write_lookup(LANGUAGES["javascript"]) + (
+        f"console.log(JSON.stringify({COSINES}.map((mu) => table_lookup({TABLE}, mu))));"
+    )
+    told = subprocess.run([node, "-e", script], capture_output=True, text=True, check=True)
+    np.testing.assert_allclose(json.loads(told.stdout), READ, atol=1e-15)
+
+
+@pytest.mark.parametrize("language", FRAMES)
+def test_reading_a_table_compiles(validator: str, language: str, tmp_path: Path) -> None:
+    code = write_lookup(LANGUAGES[language])
     assert compiled(validator, language, code, tmp_path) is None
     wrong = code.replace("return", "return undeclared +", 1)
     assert compiled(validator, language, wrong, tmp_path) is not None

@@ -7,7 +7,7 @@ import { aside } from "../page/links.js";
 import { html, nothing, render } from "../page/lit.js";
 import { loadStyle } from "../page/style.js";
 import { sayProblem } from "../page/trouble.js";
-import { codeOf, LANGUAGES, snippetPath, titlesOf } from "./fields.js";
+import { codeOf, isPiece, LANGUAGES, snippetPath, titlesOf, withPieces } from "./fields.js";
 
 await loadStyle("css/snippets.css");
 
@@ -35,7 +35,7 @@ export function createSnippets({ models, actions, say, save }) {
     ],
   });
   const { language, channels } = choices.elements;
-  /** @type {{model: string, language: string, code: string, checked: string, checked_by: string} | null} */
+  /** @type {{model?: string, id?: string, language: string, code: string, checked: string, checked_by: string} | null} */
   let shown = null;
   let link = "";
   async function copy(/** @type {{currentTarget: HTMLElement}} */ { currentTarget }) {
@@ -45,9 +45,9 @@ export function createSnippets({ models, actions, say, save }) {
   }
   function keep() {
     if (!shown) return;
-    const { model: id, language: used, code } = shown;
+    const { model: ofModel, id, language: used, code } = shown;
     const file = LANGUAGES.find((l) => l.id === used)?.file ?? "txt";
-    save(`${id}.${file}`, new Blob([code], { type: "text/plain" }));
+    save(`${ofModel ?? id}.${file}`, new Blob([code], { type: "text/plain" }));
   }
   const element = h("section.column.snippets", { "aria-label": "Shader code" });
 
@@ -60,9 +60,11 @@ export function createSnippets({ models, actions, say, save }) {
      * @param {import('../page/trouble.js').Problem | undefined} problem
      */
     update(now, offered, answer, problem) {
-      model.update(codeOf(now, offered), titlesOf(models, offered));
+      const all = withPieces(offered);
+      const chosen = codeOf(now, all);
+      model.update(chosen, titlesOf(models, all));
       choices.update(now);
-      channels.hidden = now.language === "python"; // arrays broadcast
+      channels.hidden = now.language === "python" || isPiece(chosen); // arrays broadcast
       const wrong = problem !== undefined;
       const none = wrong || !answer;
       if (!none) {

@@ -1,5 +1,7 @@
 /** What the panel of shader code adds to the state, and what it asks the server for. */
 
+import { asked } from "../layers/layers.js";
+import { spectral } from "../layers/question.js";
 import { choice, mediaQuery, optional, parameterQuery, path } from "../state/state.js";
 
 /**
@@ -16,10 +18,22 @@ export const LANGUAGES = [
   { id: "python", label: "Python", file: "py" },
 ];
 
+/** Code that is no model's, but stands beside all of them. @type {Record<string, string>} */
+const PIECES = {
+  vectors: "Reflected and refracted directions",
+  lookup: "Reading a table, Wloka's figure 10",
+};
+
+/** @param {string} id */
+export const isPiece = (id) => Object.hasOwn(PIECES, id);
+
+/** What code there is: of models, and the rest. @param {readonly string[]} offered models */
+export const withPieces = (offered) => [...offered, ...Object.keys(PIECES)];
+
 /** @param {Model[]} models @returns {Record<string, Field>} */
 export function snippetFields(models) {
   return {
-    code: optional(models.map((m) => m.id)),
+    code: optional(withPieces(models.map((m) => m.id))),
     language: choice(
       "glsl",
       LANGUAGES.map((l) => l.id),
@@ -40,15 +54,16 @@ export function codeOf({ code }, offered) {
 /** The models that are offered, by their titles. @param {Model[]} models @param {readonly string[]} offered */
 export function titlesOf(models, offered) {
   return Object.fromEntries(
-    offered.map((id) => [id, models.find((m) => m.id === id)?.title ?? id]),
+    offered.map((id) => [id, PIECES[id] ?? models.find((m) => m.id === id)?.title ?? id]),
   );
 }
 
 /** @param {State} state @param {readonly string[]} offered @returns {string} */
 export function snippetPath(state, offered) {
   const { language, channels } = state;
-  const colors = channels === "3" ? "&channels=3" : "";
-  return `/shaders/${codeOf(state, offered)}?language=${language}${colors}`;
+  const code = codeOf(state, withPieces(offered));
+  const colors = channels === "3" && !isPiece(code) ? "&channels=3" : "";
+  return `/shaders/${code}?language=${language}${colors}`;
 }
 
 export const SIZES = [2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
@@ -94,19 +109,24 @@ export function lutPath(state, catalog, model, route, more = []) {
   return path(route, [
     model === "exact" ? "" : `model=${model}`,
     ...mediaQuery(state, catalog),
+    model === "exact" && state.layers ? asked(state.layers) : "",
     ...parameterQuery(state, catalog.models, [model]),
     ...more,
   ]);
 }
 
 /**
- * The table in RGB of a material whose spectrum is known, for the exact curve.
+ * The table in RGB of films or of a material whose spectrum is known, for the exact curve.
  * @param {State} state
  * @param {Catalog} catalog
  * @param {string} model
  * @param {string[]} [more]
  */
-export function rgbLutPath({ material, n_i }, { materials }, model, more = []) {
+export function rgbLutPath(state, catalog, model, more = []) {
+  const { material, n_i, layers } = state;
+  if (model === "exact" && layers)
+    return path("/lut", [...spectral(state, catalog), asked(layers), "channels=3", ...more]);
+  const { materials } = catalog;
   const known = materials.find((m) => m.id === material)?.n_range_nm;
   return model === "exact" && known
     ? path("/lut", [`material=${material}`, `n_i=${n_i}`, "channels=3", ...more])
