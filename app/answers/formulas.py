@@ -37,6 +37,8 @@ class ExplainedFormula:
     latex: str
     convention: str
     validity: str
+    printed: str
+    """What its source prints otherwise, in words; empty where nothing was lost."""
     reference: str
     links: list[str]
     """Where the reference can be read."""

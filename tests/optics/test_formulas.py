@@ -12,6 +12,8 @@ import pytest
 from mpmath import mp, mpf
 
 from app.optics.albedo import FITS, albedo, coat_split, flatland_albedo
+from app.optics.albedo.dielectric import dunkle
+from app.optics.albedo.flatland import allen
 from app.optics.angles import brewster_deg, critical_deg, principal_deg, pseudo_brewster_deg
 from app.optics.color import decode_srgb
 from app.optics.conversions import TITLES, Form, convert, know
@@ -24,6 +26,7 @@ from app.optics.interface import Interface
 from app.optics.parameters import Array
 from app.optics.registry import ROUNDED_AT, Model, default_registry
 from app.optics.snell import penetration_depth_wavelengths, refraction_angle_deg
+from app.optics.vectors import reflected, refracted
 from tests.optics.reference.fresnel import DIGITS, Reference, fresnel
 
 HERE = Path(__file__).parent / "reference"
@@ -228,6 +231,65 @@ def over_rays(quantity: Callable[[Interface, Incidence], Array], name: str) -> C
     return measure
 
 
+def directions(name: str) -> Callable[[], float]:
+    """Components of rays in space against Snell's law in 50 digits, solved for the angle."""
+
+    def measure() -> float:
+        rng = np.random.default_rng(3)
+        worst = 0.0
+        for _ in range(1000):
+            d, n = rng.normal(size=(2, 3))
+            d, n = d / np.linalg.norm(d), n / np.linalg.norm(n)
+            n = -n if d @ n > 0.0 else n
+            eta = float(rng.uniform(0.5, 4.0))
+            mu = -float(d @ n)
+            with mp.workdps(DIGITS):
+                i, up = [mpf(x) for x in d.tolist()], [mpf(x) for x in n.tolist()]
+                cos_i = mpf(mu)
+                if name == "reflected":
+                    expected = [a + 2 * cos_i * b for a, b in zip(i, up, strict=True)]
+                    found = reflected(mu, d, n)
+                else:
+                    theta_t = mp.asin(mp.sin(mp.acos(cos_i)) / mpf(eta))
+                    if mp.im(theta_t) != 0:
+                        assert not refracted(mu, eta, d, n).any()
+                        continue
+                    expected = [
+                        (a + cos_i * b) / mpf(eta) - mp.cos(theta_t) * b
+                        for a, b in zip(i, up, strict=True)
+                    ]
+                    found = refracted(mu, eta, d, n)
+                off = [
+                    abs(float(x - mpf(y))) for x, y in zip(expected, found.tolist(), strict=True)
+                ]
+            worst = max(worst, *off)
+        return worst
+
+    return measure
+
+
+def closed(
+    function: Callable[[Array], Array], etas: Array, exact: Callable[[float], float]
+) -> float:
+    found = function(etas)
+    return max(
+        relative(float(one), exact(float(eta))) for one, eta in zip(found, etas, strict=True)
+    )
+
+
+def flatland_points() -> float:
+    """Allen's form at the points that have 35 digits."""
+    rows = [r for r in points() if r["k_t"] == 0.0 and r["n_t"] >= 1.25 * r["n_i"]]
+    assert len(rows) > 3
+    etas = np.array([row["n_t"] / row["n_i"] for row in rows])
+    known = {float(eta): row["flatland"] for eta, row in zip(etas, rows, strict=True)}
+    return closed(allen, etas, known.__getitem__)
+
+
+def unpolarized(eta: float) -> float:
+    return float(albedo(Interface(1.0, eta)).unpolarized)
+
+
 @cache
 def points() -> list[dict[str, float]]:
     rows: list[dict[str, float]] = json.loads((HERE / "albedo_points.json").read_text("utf-8"))
@@ -354,12 +416,16 @@ MEASURED: dict[str, Callable[[], float]] = {
     "angle.critical": of_eta(critical_deg, mp.asin, np.geomspace(1e-3, 1.0 - 1e-9, 300)),
     "angle.pseudo_brewster": at_a_root(pseudo_brewster_deg, slope_of_Rp),
     "angle.principal": at_a_root(principal_deg, in_phase),
+    "angle.reflected_direction": directions("reflected"),
+    "angle.refracted_direction": directions("refracted"),
     "angle.refraction": over_rays(refraction_angle_deg, "theta_t_deg"),
     "angle.penetration_depth": over_rays(penetration_depth_wavelengths, "depth"),
     "albedo.exact": at_points(lambda n_i, n_t, k_t: k_t > 0.0),  # noqa: ARG005
     "albedo.dielectric": at_points(lambda n_i, n_t, k_t: k_t == 0.0 and n_t > n_i),
     "albedo.reciprocity": at_points(lambda n_i, n_t, k_t: k_t == 0.0 and n_t < n_i),
     "albedo.flatland": flatland,
+    "albedo.dunkle": lambda: closed(dunkle, np.geomspace(1.0001, 100.0, 200), unpolarized),
+    "albedo.allen": flatland_points,
     "albedo.coat": coat,
     "conversion.ior": lambda: back_and_forth("n_t", 1.05, 60.0, "ior", "f0", "F0"),
     "conversion.nk": lambda: against_50_digits("f0", "F0", F0_from(1.0)),

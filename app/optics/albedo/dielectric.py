@@ -60,6 +60,19 @@ def dielectric_albedo(interface: Interface) -> tuple[Array, Array]:
     return np.asarray(totally + entering * s), np.asarray(totally + entering * p)
 
 
+def dunkle(n: Array) -> Array:
+    """The closed form of unpolarized light in n > 1, as Dunkle and Ozisik have it.
+
+    It is shown for its source; near n = 1 its terms cancel as (n - 1)^-2.
+    """
+    square, fourth = n * n, n**4
+    logarithms = 8.0 * fourth * (fourth + 1.0) / ((square + 1.0) * (fourth - 1.0) ** 2) * np.log(n)
+    logarithms += square * (square - 1.0) ** 2 / (square + 1.0) ** 3 * np.log((n - 1.0) / (n + 1.0))
+    quotients = 0.5 + (n - 1.0) * (3.0 * n + 1.0) / (6.0 * (n + 1.0) ** 2)
+    quotients -= 2.0 * n**3 * (square + 2.0 * n - 1.0) / ((square + 1.0) * (fourth - 1.0))
+    return np.asarray(quotients + logarithms)
+
+
 def _p_polarized(z: Array) -> Array:
     square = z * z
     weight = (1.0 + z) ** 4 * (1.0 - z) ** 2 * (1.0 + square * (6.0 + square))

@@ -103,6 +103,8 @@ class Fit:
     """Its errors, claimed and measured; at least one for each domain."""
     function: Callable[[Interface], Array]
     """`function(interface) -> A`; NaN where the formula is undefined."""
+    printed: str = ""
+    """What its source prints otherwise, in words."""
     symbols: tuple[Symbol, ...] = ()
     """Letters of `latex` that are neither n, k nor in the common glossary."""
 

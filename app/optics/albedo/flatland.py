@@ -56,7 +56,7 @@ def flatland_albedo(interface: Interface) -> Array:
     thin, dense = np.where(reverse, n_t, n_i), np.where(reverse, n_i, n_t)
     closed = clear & (dense >= _ALLEN_FROM * thin)
     result = np.empty(k_t.shape)
-    result[closed] = _allen(dense[closed] / thin[closed])
+    result[closed] = allen(dense[closed] / thin[closed])
     if not closed.all():
         summed = Interface(thin[~closed], dense[~closed], k_t[~closed])
         result[~closed] = flatland_by_quadrature(summed).unpolarized
@@ -64,8 +64,8 @@ def flatland_albedo(interface: Interface) -> Array:
     return np.where(reverse, -interface.eta_minus_1 + eta * result, result)
 
 
-def _allen(n: Array) -> Array:
-    """Allen's closed form, n > 1."""
+def allen(n: Array) -> Array:
+    """Allen's closed form, n > 1; its terms cancel as (n - 1)^-3."""
     x = n * n
     contrast, total = (n - 1.0) * (n + 1.0), x + 1.0
     m = -1.0 / contrast

@@ -1,8 +1,9 @@
 """The exact albedos as the collection of formulas shows them."""
 
 from app.optics.albedo.coat import BODY_ALBEDO, coat_split
+from app.optics.albedo.dielectric import dunkle
 from app.optics.albedo.exact import albedo
-from app.optics.albedo.flatland import flatland_albedo
+from app.optics.albedo.flatland import allen, flatland_albedo
 from app.optics.formulas.formula import (
     ETA,
     Accuracy,
@@ -44,7 +45,16 @@ def _coat(interface: Interface, body: Array) -> Columns:
         yield name, name, getattr(split, name)
 
 
+def _dunkle(_: Interface, n: Array) -> Columns:
+    yield "unpolarized", "unpolarized", dunkle(n)
+
+
+def _allen(_: Interface, n: Array) -> Columns:
+    yield "flatland", "flatland", allen(n)
+
+
 _35_DIGITS = "35-digit arithmetic"
+_N = Symbol("n", "relative index eta, above 1")
 
 FORMULAS = (
     Formula(
@@ -76,6 +86,25 @@ FORMULAS = (
         curve=over(ETA, 0.2, 4.0, _ALBEDO, _by_polarization),
     ),
     Formula(
+        id="albedo.dunkle",
+        title="Dielectric, as Dunkle and d'Eon write it",
+        latex=r"A=\frac12+\frac{(n-1)(3n+1)}{6(n+1)^2}-\frac{2n^3(n^2+2n-1)}{(n^2+1)(n^4-1)}"
+        r"+\frac{8n^4(n^4+1)}{(n^2+1)(n^4-1)^2}\ln n+\frac{n^2(n^2-1)^2}{(n^2+1)^3}\ln\frac{n-1}{n+1}",
+        symbols=(_N,),
+        reference="R. V. Dunkle, Thermal radiation characteristics of surfaces (1963); M. N. Ozisik, "
+        "Radiative Transfer (1973), p. 60; E. d'Eon, A Hitchhiker's Guide to Multiple Scattering, "
+        "Fresnel Boundaries, 2019",
+        printed="The text of d'Eon's notebook has a stray − 1/(6(n + 1)) behind the second term: with "
+        "it A would be 0.0251 and not 0.0918 at n = 1.5.",
+        validity="Dielectrics from the thinner side, n > 1. Its terms cancel near n = 1: at 1.0001 five "
+        "digits are left. What is computed here is the other closed form.",
+        accuracy=(
+            rounding(1e-4, "A", "n from 1.0001 to 100", "the closed form in which nothing cancels"),
+        ),
+        at=Interface(n_t=1.5),
+        curve=over(Plotted("n", "n", "relative index n_t/n_i"), 1.01, 4.0, _ALBEDO, _dunkle),
+    ),
+    Formula(
         id="albedo.reciprocity",
         title="From the denser side",
         latex=r"1-A(1/\eta)=\eta^2\left(1-A(\eta)\right)",
@@ -101,6 +130,32 @@ FORMULAS = (
         at=Interface(n_t=1.5),
         takes=(K_T,),
         curve=over(ETA, 0.2, 4.0, _ALBEDO, _flatland),
+    ),
+    Formula(
+        id="albedo.allen",
+        title="Flatland, Allen's closed form",
+        latex=r"\begin{aligned}A=\frac1{15}\Bigl(&-\frac{2(1+31n^2+15n^4+31n^6+n^8)\,E(m)}"
+        r"{(n^2-1)^{3/2}(1+n^2)^2}\\&+\frac{1}{(n^4-1)^3}\bigl[(n^2-1)\{(1+n^2)"
+        r"(7+24n^2+102n^4+10n^6+15n^8)\\&\qquad+30n^3\sqrt{1+n^2}\,(2+n^2+2n^4)"
+        r"\operatorname{arsinh}n\}\\&\quad+2n^2\sqrt{n^2-1}\,\{(-22-15n^2-47n^4-n^6+9n^8+n^{10})\,K(m)"
+        r"\\&\qquad+15n^4(2+n^2+2n^4)\operatorname{Re}\Pi(1+n^2,\,m)\}\bigr]\Bigr),"
+        r"\quad m=\frac{1}{1-n^2}\end{aligned}",
+        symbols=(
+            _N,
+            Symbol("m", "parameter of the elliptic integrals, below 0"),
+            Symbol("K", "complete elliptic integral of the first kind"),
+            Symbol("E", "complete elliptic integral of the second kind"),
+        ),
+        reference="W. A. Allen, Transmission of isotropic light across a dielectric surface in two and "
+        "three dimensions, J. Opt. Soc. Am. 63, 664 (1973), doi:10.1364/JOSA.63.000664; E. d'Eon, "
+        "A Hitchhiker's Guide to Multiple Scattering, Fresnel Boundaries, 2019",
+        printed="Right as d'Eon prints it, but that the elliptic integral of the third kind has a "
+        "characteristic above 1 and is complex: its real part is meant, Cauchy's principal value.",
+        validity="Dielectrics from the thinner side, n > 1, in two dimensions; its terms cancel near "
+        "n = 1.",
+        accuracy=(rounding(1e-11, "A", "n from 1.25 to 100", _35_DIGITS),),
+        at=Interface(n_t=1.5),
+        curve=over(Plotted("n", "n", "relative index n_t/n_i"), 1.01, 4.0, _ALBEDO, _allen),
     ),
     Formula(
         id="albedo.coat",

@@ -2,10 +2,13 @@
 
 from collections.abc import Callable
 
+import numpy as np
+
 from app.optics.angles import brewster_deg, critical_deg, principal_deg, pseudo_brewster_deg
 from app.optics.formulas.formula import (
     ETA,
     THETA,
+    Accuracy,
     Columns,
     Curves,
     Formula,
@@ -22,6 +25,7 @@ from app.optics.snell import (
     penetration_depth_wavelengths,
     refraction_angle_deg,
 )
+from app.optics.vectors import cos2_refracted, reflected, refracted
 
 _REFRACTION = Plotted("theta_t_deg", r"\theta_t", "angle of refraction", "deg")
 _DEPTH = Plotted("depth", "d", "depth of 1/e in vacuum wavelengths")
@@ -50,10 +54,78 @@ def _over_eta(low: float, high: float, angle: Callable[[Interface], Array], titl
     )
 
 
+def _of_direction(kind: str) -> Accuracy:
+    return Accuracy(
+        value=1e-15,
+        of="each component",
+        over=f"1000 rays scattered in space, eta from 0.5 to 4, as far as they are {kind}",
+        against="50-digit arithmetic",
+        at_most=True,
+    )
+
+
 _SCATTERED = "1500 interfaces scattered over the whole range, angles from 0 to 90 degrees"
 
 
+_DIRECTION = Plotted("component", r"\mathbf{t}", "component of the direction")
+_OF_RAY = (
+    Symbol("d", "unit vector of the incident direction, toward the surface"),
+    Symbol("n", "unit normal on the incident side"),
+)
+_GREVE = (
+    "S. Lagarde, Memo on Fresnel equations (2013), after B. de Greve, Reflections and Refractions in "
+    "Ray Tracing (2006); E. d'Eon, A Hitchhiker's Guide to Multiple Scattering, Fresnel Boundaries "
+    "(2019)"
+)
+
+
+def _components(theta: Array, direction: Callable[[Array, Array, float], Array]) -> Columns:
+    """Plot a direction in the plane of incidence, by its components along surface and normal."""
+    at = Incidence.from_degrees(theta)
+    yield "along", "along the surface", direction(at.cos, at.sin, 0.0)
+    yield "normal", "along the normal", direction(at.cos, -at.cos, 1.0)
+
+
+def _reflected(_: Interface, theta: Array) -> Columns:
+    return _components(theta, reflected)
+
+
+def _refracted(interface: Interface, theta: Array) -> Columns:
+    def direction(mu: Array, d: Array, n: float) -> Array:
+        there = cos2_refracted(mu, interface.eta) >= 0.0
+        return np.where(there, refracted(mu, interface.eta, d, n), np.nan)
+
+    return _components(theta, direction)
+
+
 FORMULAS = (
+    Formula(
+        id="angle.reflected_direction",
+        title="Reflected direction, in space",
+        latex=r"\mathbf{r}=\mathbf{d}+2\mu\,\mathbf{n},\quad \mu=-\mathbf{d}\cdot\mathbf{n}",
+        symbols=(Symbol("r", "unit vector of the reflected direction"), *_OF_RAY),
+        reference=_GREVE,
+        validity="Every surface, component by component; the incident direction points toward the "
+        "surface, the reflected one away from it. Shading languages call it reflect(d, n).",
+        accuracy=(_of_direction("reflected"),),
+        at=Interface(n_t=1.5),
+        curve=over(THETA, 0.0, 90.0, _DIRECTION, _reflected),
+    ),
+    Formula(
+        id="angle.refracted_direction",
+        title="Refracted direction, in space",
+        latex=r"\mathbf{t}=\frac{\mathbf{d}+\mu\,\mathbf{n}}{\eta}"
+        r"-\sqrt{1-\frac{1-\mu^2}{\eta^2}}\;\mathbf{n},\quad \mu=-\mathbf{d}\cdot\mathbf{n}",
+        symbols=(Symbol("t", "unit vector of the refracted direction"), *_OF_RAY),
+        reference=_GREVE,
+        validity="Snell's law in vector form, component by component; where the root is one of less "
+        "than 0 all is reflected and there is no such direction. Shading languages call it "
+        "refract(d, n, 1 / eta).",
+        accuracy=(_of_direction("refracted"),),
+        at=Interface(n_t=1.5),
+        takes=(N_I, N_T),
+        curve=over(THETA, 0.0, 90.0, _DIRECTION, _refracted),
+    ),
     Formula(
         id="angle.refraction",
         title="Angle of refraction, Snell's law",

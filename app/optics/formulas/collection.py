@@ -95,6 +95,7 @@ def of_fit(fit: Fit) -> Formula:
         title=fit.title,
         latex=fit.latex,
         reference=fit.reference,
+        printed=fit.printed,
         validity=f"{fit.note} Made for {' or '.join(d.words for d in fit.domains)}.",
         accuracy=tuple(_claimed(claim) for claim in fit.claims),
         at=Interface(1.0, 1.5, domain.kappa[0]),

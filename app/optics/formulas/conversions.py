@@ -246,6 +246,8 @@ FORMULAS = (
         latex=_model_latex("deon_rg"),
         parameters=default_registry()["deon_rg"].parameters,
         reference=default_registry()["deon_rg"].reference,
+        printed="The notebook has n by r and G, and G by n and k; the formula of k is missing from its "
+        "text. This one is equivalent to both.",
         validity="Every interface that reflects something: G = 0 is the denser dielectric of that "
         "reflectance, G = 1 the thinner.",
         accuracy=(_there_and_back(1e-13, "eta from 0.1 to 10, kappa up to 10"),),

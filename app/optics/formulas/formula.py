@@ -128,6 +128,8 @@ class Formula:
     """The interface of the curve unless another is given."""
     takes: tuple[Parameter, ...] = ()
     """Which of the interface's numbers the curve depends on."""
+    printed: str = ""
+    """What its source prints otherwise, in words; empty where nothing was lost."""
     symbols: tuple[Symbol, ...] = ()
     """Letters that the common glossary and the parameters do not explain."""
     parameters: tuple[Parameter, ...] = ()

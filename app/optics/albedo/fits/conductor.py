@@ -23,6 +23,10 @@ _EXACT_FOR = (
     "Exact for the approximate reflectance of Pharr and Humphreys (model pharr_humphreys), which "
     "is close to Fresnel's where n^2 + k^2 is large."
 )
+_UNNAMED = (
+    "The notebook announces the parallel and then the perpendicular integral; the first expression is "
+    "that of s, the second that of p."
+)
 _POWERS = (Symbol("i", "row, from 0"), Symbol("j", "column, from 0"))
 
 
@@ -140,6 +144,7 @@ FITS = (
         r"-\frac{8n(n^2-k^2)}{k}\arctan\frac{k}{n+n^2+k^2}",
         reference=_DUNKLE,
         note=_EXACT_FOR,
+        printed=_UNNAMED,
         claims=(_metals(0.0405, (0.69, 1.7)),),
         function=_dunkle_s,
     ),
@@ -152,6 +157,7 @@ FITS = (
         r"-\frac{8n(n^2-k^2)}{k(n^2+k^2)^2}\arctan\frac{k}{1+n}",
         reference=_DUNKLE,
         note=_EXACT_FOR,
+        printed=_UNNAMED,
         claims=(_metals(0.0381, (0.70, 1.7)),),
         function=_dunkle_p,
     ),
@@ -179,6 +185,8 @@ FITS = (
         symbols=_POWERS,
         reference=_HITCHHIKER,
         note="A quotient of polynomials in F0 and in the edge tint G of his modified mapping.",
+        printed="The text of the notebook has lost the square of G in − 145.197 G²r, and the end of "
+        "the first parenthesis, which is all of the numerator.",
         claims=(_metals(0.000165, (0.69, 1.7), claimed=0.00006, source=_D_EON),),
         function=_deon_rg,
     ),

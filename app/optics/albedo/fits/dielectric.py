@@ -68,6 +68,8 @@ FITS = (
         latex=r"A\approx\ln\frac{10893\,n-1438.2}{1+10212\,n-774.4\,n^2}",
         reference="E. d'Eon, A Hitchhiker's Guide to Multiple Scattering, Fresnel Boundaries, 2019",
         note="Does not go to 0 as n approaches 1, where its error is largest.",
+        printed="The text of the notebook reads 10.893 and 10.212: thousands separators became decimal "
+        "points. With those it is −0.194 at n = 1.5, where the albedo is 0.0918.",
         claims=(
             _claim(1.0, 3.0, 0.00172, 1.0, source="error plot without a figure, for 1 < n < 3"),
         ),
