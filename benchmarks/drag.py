@@ -1,9 +1,10 @@
 """Frames drawn per second while dragging, and what the first load costs, in headless Chromium.
 
 A frame counts when what it shows has changed since the one before: the path of the first curve
-while `n_t` is dragged, the incident ray or the marker while the angle is. Frames in which nothing
-new was drawn do not count. It is done at several round trips, which a proxy makes; with another build's
-folder in FRESNEL_OLDER, both are measured in turn.
+while `n_t` is dragged, the incident ray or the marker while the angle is, the path of R over the
+wavelength while the thickness of a film is. Frames in which nothing new was drawn do not count. It
+is done at several round trips, which a proxy makes; with another build's folder in FRESNEL_OLDER, both
+are measured in turn.
 """
 
 from __future__ import annotations
@@ -25,12 +26,13 @@ SWEEPS_PER_SECOND = 0.5
 BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome")
 ROUND_TRIPS_MS = (0, 50, 150, 300)
 BAR = 55.0
+FILMS_BAR = 50.0
 SPREAD_BAR = 0.1
 BYTES_BAR = 120_000
 LIBRARIES = ("plotly", "katex")
 
-COUNTER = """() => {
-  const drawn = {curves: 0, ray: 0};
+COUNTER = """(watched) => {
+  const drawn = Object.fromEntries(Object.keys(watched).map((name) => [name, 0]));
   const watch = (name, selector, attribute) => {
     let last = null;
     // All that is drawn in one frame happens at one time of the document's timeline.
@@ -40,10 +42,16 @@ COUNTER = """() => {
       last = frame;
     }).observe(document.querySelector(selector), {attributeFilter: [attribute]});
   };
-  watch('curves', '.plot-canvas path.js-line', 'd');
-  watch('ray', '.ray-incident .ray-shaft', 'x1');
+  for (const [name, [selector, attribute]] of Object.entries(watched))
+    watch(name, selector, attribute);
   window.drawnFrames = {read: () => ({...drawn})};
 }"""
+
+EXPLORE = {
+    "curves": [".plot-canvas path.js-line", "d"],
+    "ray": [".ray-incident .ray-shaft", "x1"],
+}
+FILMS = {"curves": [".film-curves .plot-canvas path.js-line", "d"]}
 
 PAINT = """() => {
   const first = document.querySelector('.plot-canvas path.js-line');
@@ -145,6 +153,11 @@ SLIDE = """(share) => {
   slider.value = 1.5 + 1.3 * share;
   slider.dispatchEvent(new InputEvent('input', {bubbles: true}));
 }"""
+THICKEN = """(share) => {
+  const slider = document.querySelector('#films-film_nm-slider');
+  slider.value = 50 + 500 * share;
+  slider.dispatchEvent(new InputEvent('input', {bubbles: true}));
+}"""
 TURN = """(share) => {
   const host = document.querySelector('.diagram');
   const {left, top, width, height} = host.getBoundingClientRect();
@@ -165,7 +178,7 @@ async def drags(browser: Browser, url: str) -> dict[str, dict[str, float]]:
     await page.goto(url)
     await page.wait_for_function(PAINT)
     await page.wait_for_timeout(2000)  # until the page rests
-    await page.evaluate(COUNTER)
+    await page.evaluate(COUNTER, EXPLORE)
 
     await press(page, "#n_t-slider")
     answers.clear()
@@ -179,6 +192,20 @@ async def drags(browser: Browser, url: str) -> dict[str, dict[str, float]]:
     await page.mouse.up()
     await page.close()
     return {"n_t": n_t, "theta_i": theta_i}
+
+
+async def film_drag(browser: Browser, url: str) -> float:
+    """Drag the thickness of a film on glass on its slider; frames drawn a second."""
+    page = await browser.new_page(viewport={"width": 1440, "height": 900})
+    await page.goto(f"{url}?view=films&material=BK7&layers=MgF2-o:99.6")
+    await page.wait_for_function(PAINT)
+    await page.wait_for_timeout(2000)  # until the page rests
+    await page.evaluate(COUNTER, FILMS)
+    await press(page, "#films-film_nm-slider")
+    found = await drag(page, THICKEN)
+    await page.mouse.up()
+    await page.close()
+    return found["curves"]
 
 
 @contextlib.asynccontextmanager
@@ -216,11 +243,13 @@ async def run(ports: dict[str, int]) -> None:
             for build, port in ports.items():
                 async with far_away(port, milliseconds) as far:
                     found = await drags(browser, f"http://127.0.0.1:{far}/")
+                    films = await film_drag(browser, f"http://127.0.0.1:{far}/")
                 rates[build].append((found["n_t"]["curves"], found["theta_i"]["ray"]))
                 print(
                     f"{build}, {milliseconds} ms round trip: {rates[build][-1][0]:.1f} frames drawn per"
                     f" second dragging n_t ({found['n_t']['answers']:.0f} answers),"
-                    f" {rates[build][-1][1]:.1f} dragging theta_i (bar: {BAR:.0f})"
+                    f" {rates[build][-1][1]:.1f} dragging theta_i (bar: {BAR:.0f}),"
+                    f" {films:.1f} dragging a film's thickness (bar: {FILMS_BAR:.0f} at 0 ms)"
                 )
         await browser.close()
     for i, name in enumerate(("n_t", "theta_i")):

@@ -50,6 +50,9 @@ interface Material {
   kind: string;
   rival_of: string | null;
   n_range_nm: [number, number] | null;
+  /** where its source gives n from one value to another */
+  n_min?: number | null;
+  n_max?: number | null;
   aliases?: string[];
   source?: string;
   /** Of what is not in the list that the page starts with, all that its table shows. */

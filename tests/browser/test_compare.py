@@ -66,6 +66,12 @@ EXAMPLES: dict[str, tuple[str, list[str]]] = {
     "lagarde-conductor-k0": ("n_t=1.5", ["pharr_humphreys"]),
     "lagarde-conductor-k": ("n_t=1.5&k_t=3", ["pharr_humphreys"]),
     "lagarde-lazanyi": ("n_t=1.5&k_t=5&lazanyi2005.alpha=7.7", ["schlick", "lazanyi2005"]),
+    "lagarde-error-term": (
+        "n_t=1.5&k_t=5&lazanyi2005.a=3&lazanyi2005.alpha=7",
+        ["schlick", "lazanyi2005"],
+    ),
+    "lagarde-sp-dielectric": ("n_t=1.5", []),
+    "lagarde-sp-metal": ("n_t=1.5&k_t=5", []),
     "lagarde-water-air": ("n_i=1.33&n_t=1", ["schlick", "schlick_tir"]),
     "lagarde-range": ("n_t=1.4", ["schlick"]),
     "wloka-family": ("n_t=1.52", []),

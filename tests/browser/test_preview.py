@@ -373,3 +373,76 @@ def test_it_fits_a_phone(quiet_page: Page) -> None:
     frame = page.locator(".scene-frame").bounding_box()
     assert frame
     assert frame["width"] == pytest.approx(frame["height"], abs=1)
+
+
+def test_a_film_on_the_ball_has_the_colors_of_the_spectrum(quiet_page: Page) -> None:
+    quiet_page.set_viewport_size(SMALL)
+    page = opened(quiet_page, f"&layers=2.4:60&material=Ti{EVEN}")
+    picture = shot(page)
+    height, width, _ = picture.pixels.shape
+    view = View(width, height)
+    answer = page.request.get(
+        "/api/v1/films/color?layers=2.4&material=Ti&thickness_nm=60&samples=721"
+    ).json()
+    colors = np.array(answer["colors"][0]["linear_srgb"][0])
+    for x, y in points(view):
+        mu = view.cosine(x, y)
+        assert mu is not None
+        angle = np.degrees(np.arccos(mu))
+        rgb = [RADIANCE * np.interp(angle, answer["theta_i_deg"], channel) for channel in colors.T]
+        assert np.abs(picture.at(x, y) - encoded(rgb)).max() <= STEPS
+
+
+def test_a_clear_ball_lets_through_what_its_film_does_not_absorb(quiet_page: Page) -> None:
+    """In even light: R + T^2 of the spectrum's colors, which of gold leaf is far less than 1."""
+    quiet_page.set_viewport_size(SMALL)
+    page = opened(quiet_page, f"&layers=Au:30&n_t=1&body=clear{EVEN}")
+    picture = shot(page)
+    height, width, _ = picture.pixels.shape
+    view = View(width, height)
+    of = "/api/v1/films/color?layers=Au&n_t=1&thickness_nm=30&samples=181"
+    R, T = (
+        page.request.get(f"{of}&quantity={quantity}").json()["colors"][0]["linear_srgb"][0]
+        for quantity in ("R", "T")
+    )
+    degrees = np.linspace(0.0, 90.0, 181)
+    for x, y in points(view)[:-1]:
+        mu = view.cosine(x, y)
+        assert mu is not None
+        angle = np.degrees(np.arccos(mu))
+        r, t = (
+            np.array([np.interp(angle, degrees, channel) for channel in np.array(each).T])
+            for each in (R, T)
+        )
+        expected = encoded((RADIANCE * (r + t * t)).tolist())
+        assert np.abs(picture.at(x, y) - expected).max() <= STEPS + 1.0
+
+
+def test_films_are_put_on_and_a_shortcut_beside_them(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    page.get_by_label("Film on the surface").select_option("1.3:400")
+    rested(page)
+    assert link(page)["layers"] == "1.3:400"
+    right = page.get_by_label("Model on the right")
+    expect(right.locator("option[value='film.gltf_iridescence']")).to_have_count(1)
+    right.select_option("film.gltf_iridescence")
+    rested(page)
+    assert link(page)["right"] == "film.gltf_iridescence"
+    assert figure(page, "colors.mean") > 0.5
+    thickness = page.get_by_label("thickness in nm, value")
+    thickness.fill("120")
+    thickness.press("Enter")
+    rested(page)
+    assert link(page)["layers"] == "1.3:120"
+    page.goto("/?view=preview&layers=1.3:100,2.4:50&right=film.gltf_iridescence")
+    expect(page.locator(".side-choice .reason").last).to_contain_text("a stack of several")
+
+
+def test_films_leads_to_the_ball(quiet_page: Page) -> None:
+    page = quiet_page
+    page.goto("/?view=films&layers=water:330&n_t=1&film_model=cycles_film")
+    page.get_by_role("link", name="On a ball, in Preview").click()
+    rested(page)
+    shown = link(page)
+    assert (shown["view"], shown["layers"], shown["n_t"]) == ("preview", "water:330", "1")
+    assert (shown["right"], shown["body"]) == ("film.cycles_film", "clear")

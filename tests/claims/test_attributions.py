@@ -39,6 +39,9 @@ QUOTES = {
     "conductor-form-great": "for other case, the approximation is great",
     "lazanyi-alpha": "For the author’s case of $n_t=1.5$ and $k_t=5$ I get $alpha=7.7$",
     "lazanyi-dip": "Result is good",
+    "lazanyi-term": "red is the rational approximation with $a=3$ and $\\alpha=7$",
+    "dip-perpendicular": "perpendicular curve crosses the 0 line at the Brewster’s angle",
+    "metal-rp-above-zero": "does not reach zero for a conductor as it does for a dielectric",
     "lazanyi-minimum": "local minimun of the error term is somewhere between 0.1 and 0.15",
     "dip-negligible": "the visual impact of this “dip” is negligible",
     "f0-not-enough": "for complex IOR there is no way to retrieve the correct $n_t$ and $k_t$",
@@ -73,6 +76,9 @@ EXAMPLES = {
         ("Conductor formula at k = 0", "Lagarde"),
         ("Conductor formula at k > 0", "Lagarde"),
         ("A dip for metals, α = 7.7", "Lagarde after Lazányi"),
+        ("What a metal's dip takes away", "Lagarde after Lazányi"),  # "with a=3 and α=7"
+        ("s and p, a dielectric", "Lagarde"),  # a pair of plots, whose indices are not named
+        ("s and p, a metal", "Lagarde"),
         ("Water to air", "Lagarde"),  # "for n_i=1.33 and n_t=1 (water-air interface)"
         ("Schlick over n", "Lagarde"),
         ("A family of curves over n", "Wloka"),  # figure 3, whose indices are not named
@@ -84,10 +90,16 @@ EXAMPLES = {
         ("T and R mixed, in glass", "after Shirley"),  # his is water
         ("Gold", "measured n, k"),  # in no memo
         ("Per vertex, figure 7", "Wloka"),
+        ("Per pixel, figure 12", "Wloka"),
         ("Texture, figure 13, of 16 texels", "Wloka"),  # he names no size
         ("No reflection, figure 14", "Wloka"),
         ("1 − cos, figure 15", "Wloka"),
         ("Even light", "furnace"),
+        # of films, in no memo
+        ("Soap bubble", "330 nm of water"),
+        ("Oil on water", "against no oil"),
+        ("Anodized titanium", "25 volts"),
+        ("Iridescence as glTF has it", "against the spectrum"),
     },
     "materials": {
         ("Copper at 400 to 800 nm", "Shirley"),  # figure 2.8
@@ -127,11 +139,17 @@ def test_figures_of_wloka_show_what_his_show() -> None:
     text = (STATIC / "preview" / "examples.js").read_text("utf-8")
     shown = {
         figure: re.search(rf'figure {figure}[^}}]*?right: ("\w+"|NONE)', text)
-        for figure in (7, 13, 14, 15)
+        for figure in (7, 12, 13, 14, 15)
     }
     right = {figure: found[1] if found else None for figure, found in shown.items()}
-    # Figure 7 is the vertex shader of his equation 10, which is Schlick's.
-    assert right == {7: '"schlick"', 13: '"exact"', 14: "NONE", 15: '"one_minus_cos"'}
+    # Figure 7 is the vertex shader of his equation 10, which is Schlick's, and 12 its pixel shader.
+    assert right == {
+        7: '"schlick"',
+        12: '"schlick"',
+        13: '"exact"',
+        14: "NONE",
+        15: '"one_minus_cos"',
+    }
 
 
 @pytest.mark.parametrize(

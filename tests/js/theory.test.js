@@ -9,6 +9,7 @@ import { SECTIONS, TOUCHED, theoryFields, UNTOUCHED } from "../../static/js/theo
 import { lessonQueries, settingOf, shareBy } from "../../static/js/theory/lesson.js";
 import { isNear } from "../../static/js/theory/mystery.js";
 import { decode, encode } from "../../static/js/theory/mystery-code.js";
+import { phaseLines } from "../../static/js/theory/planes.js";
 import { queries, restCalls } from "../../static/js/theory/queries.js";
 import { STEPS } from "../../static/js/theory/steps.js";
 import { TRAPS } from "../../static/js/theory/trap-cards.js";
@@ -105,7 +106,7 @@ test("a share is read between the samples of a curve", () => {
 test("the first path goes from water to coats in the order of Shirley's post, and on to films", () => {
   assert.equal(
     STEPS.map((s) => s.id).join(" "),
-    "water split polarization brewster below schlick index metals rgb coat films",
+    "water split polarization brewster below schlick index metals rgb coat films planes",
   );
 });
 
@@ -174,4 +175,26 @@ test("each section asks for what it shows and no more", () => {
   });
   const state = stateWith("section=formulas&formula=model.schlick&own_n=1.7");
   assert.equal(queries(state).curve, "/formulas/model.schlick/curve?n_t=1.7");
+});
+
+test("planes of phase keep step along the surface, and stand across the direction", () => {
+  const numbers = (/** @type {string} */ d) =>
+    [...d.matchAll(/M(\S+) (\S+)L(\S+) (\S+?)(?=M|$)/g)].map((m) => m.slice(1).map(Number));
+  const surface = 105;
+  /** @param {number[]} line where it meets the surface */
+  const foot = ([x0 = 0, y0 = 0, x1 = 0, y1 = 0]) => x0 + ((surface - y0) / (y1 - y0)) * (x1 - x0);
+  // From air at 50 degrees into n = 1.5, a wavelength of 64.
+  const theta_t = (Math.asin(Math.sin((50 * Math.PI) / 180) / 1.5) * 180) / Math.PI;
+  const feet = [phaseLines(50, 64), phaseLines(theta_t, 64 / 1.5)].map((d) =>
+    numbers(d)
+      .map(foot)
+      .filter((x) => x > 0 && x < 420),
+  );
+  assert.equal(feet[0]?.length, feet[1]?.length);
+  for (const [i, x] of (feet[0] ?? []).entries())
+    assert.ok(Math.abs(x - (feet[1]?.[i] ?? 0)) < 0.1);
+  for (const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] of numbers(phaseLines(30, 40))) {
+    const across = (x1 - x0) * 0.5 + (y1 - y0) * Math.cos(Math.PI / 6);
+    assert.ok(Math.abs(across) < 0.05);
+  }
 });

@@ -16,6 +16,7 @@ from app.claims.readings import (
 
 _AUTHORS = "n_t=1.5&k_t=5"
 _AT_K = "/errors/sweep?model=pharr_humphreys&over=k_t&n_t=1.5"
+_AT_BREWSTER = "/snell?n_t=1.5&theta_i_deg=56.309932474020215"
 _METALS = "x=n_t&x_minimum=0.1&x_maximum=4&x_steps=40&y=k_t&y_minimum=1.7&y_maximum=8&y_steps=64"
 
 
@@ -236,6 +237,69 @@ CLAIMS = (
         "from "
         "{schlick_rms:.4f} to {lazanyi_rms:.4f}.",
         example="lagarde-lazanyi",
+    ),
+    Claim(
+        id="lazanyi-term",
+        title="A rational term follows the error of Schlick",
+        claimed="With a = 3 and alpha = 7 the term is a rational approximation of the error between "
+        "Fresnel's equation and Schlick's, for n = 1.5 and k = 5.",
+        source=sources.LAGARDE,
+        where="Fresnel Schlick's approximation, metals, the plot of the error term",
+        domain="from vacuum into n = 1.5, k = 5, 0 to 90 degrees",
+        figures=(
+            error_of("schlick", "largest error that is to be taken away", _AUTHORS, "schlick"),
+            error_of(
+                "left",
+                "largest error that the term leaves",
+                _AUTHORS,
+                "lazanyi2005",
+                given="lazanyi2005.a=3&lazanyi2005.alpha=7",
+            ),
+        ),
+        parts=(
+            Part(
+                says="an approximation of it: less than 0.02 is left", figure="left", at_most=0.02
+            ),
+        ),
+        found="Of {schlick:.4f} the term leaves {left:.4f}.",
+        example="lagarde-error-term",
+    ),
+    Claim(
+        id="dip-perpendicular",
+        title="The perpendicular curve has the dip",
+        claimed="The dip comes from the perpendicular curve, which of a dielectric crosses the 0 line "
+        "at Brewster's angle.",
+        source=sources.LAGARDE,
+        where="Fresnel Schlick's approximation, metals, the pair of plots of p and s, left",
+        domain="n = 1.5 at arctan(1.5)",
+        figures=(
+            Figure("Rs", "Rs, perpendicular", _AT_BREWSTER, value("Rs")),
+            Figure("Rp", "Rp, parallel", _AT_BREWSTER, value("Rp")),
+        ),
+        parts=(Part(says="the perpendicular one is 0 there", figure="Rs", at_most=1e-12),),
+        found="There Rs is {Rs:.3f} and Rp {Rp:.0e}: it is the parallel curve that crosses, as the memo "
+        "says of metals two sentences later.",
+        example="lagarde-sp-dielectric",
+    ),
+    Claim(
+        id="metal-rp-above-zero",
+        title="Of a conductor Rp does not reach zero",
+        claimed="The reflectance Rp of a conductor does not reach zero; the angle of its minimum is "
+        "called the pseudo-Brewster angle.",
+        source=sources.LAGARDE,
+        where="Fresnel Schlick's approximation, metals, the pair of plots of p and s, right",
+        domain="from vacuum into n = 1.5, k = 5",
+        figures=(
+            Figure(
+                "least",
+                "Rp at its least, at 78.82 degrees",
+                f"/snell?{_AUTHORS}&theta_i_deg=78.81728966778029",
+                value("Rp"),
+            ),
+        ),
+        parts=(Part(says="above zero", figure="least", at_least=0.1),),
+        found="At 78.82 degrees {least:.3f} of the p-polarized light are still reflected.",
+        example="lagarde-sp-metal",
     ),
     Claim(
         id="lazanyi-minimum",

@@ -41,7 +41,13 @@ export function createControls({ catalog, presets, state, actions, describeMedia
     members.box,
     members.wrong,
   );
-  const choices = createChoices(actions, { angle: ["Angles", { deg: "degrees", rad: "radians" }] });
+  const choices = createChoices(actions, {
+    polarized: [
+      "Polarization",
+      { off: "R", on: ["R, s and p", "Rs and Rp where a model has them"] },
+    ],
+    angle: ["Angles", { deg: "degrees", rad: "radians" }],
+  });
   const chooser = createChooser({
     models,
     chosen: () => against(state()),
@@ -56,7 +62,13 @@ export function createControls({ catalog, presets, state, actions, describeMedia
     prefix: "compare-",
     manners: MANNERS,
     describeMedia,
-    choices: [familyBox, chooser.element, parameters.element, choices.elements.angle],
+    choices: [
+      familyBox,
+      chooser.element,
+      parameters.element,
+      choices.elements.polarized,
+      choices.elements.angle,
+    ],
   });
 
   return {

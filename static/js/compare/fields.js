@@ -57,7 +57,8 @@ export function compareFields({ models, parameters }) {
   /** @param {string} name */
   const end = (name) => number({ ...declared(parameters, name), default: null });
   return {
-    error: choice("signed", ["signed", "relative"]),
+    error: choice("signed", ["signed", "relative", "taken"]),
+    polarized: choice("off", ["off", "on"]),
     family: numbers(declared(parameters, "n_t")),
     example: optional(EXAMPLES.map((e) => e.id)),
     sort: choice(

@@ -1,10 +1,11 @@
 /** The overlaid curves and, below them on the same axis of angles, their errors. */
 
-import { angleAxis, landmarksOf, locate, read } from "../curves/reading.js";
-import { curveTraces, distinct, errorRange, errorTraces } from "../errors/traces.js";
+import { angleAxis, bandPaths, bandsOf, landmarksOf, locate, read } from "../curves/reading.js";
+import { curveTraces, distinct, errorRange, errorTraces, takenTraces } from "../errors/traces.js";
 import { clamp, inDegrees, inUnit } from "../numbers/format.js";
 import { traceUid } from "../plot/figure.js";
 import { createPair } from "../plot/pair.js";
+import { freshOf } from "../state/state.js";
 import { against } from "./fields.js";
 
 const RESOLUTION = 0.05; // degrees
@@ -22,7 +23,8 @@ function curveRange(traces) {
 }
 
 /** @param {ViewContext} context */
-export function createPlots({ element, catalog: { models }, actions, save }) {
+export function createPlots({ element, catalog, actions, save }) {
+  const { models } = catalog;
   /** @type {State | null} */
   let now = null;
 
@@ -55,6 +57,13 @@ export function createPlots({ element, catalog: { models }, actions, save }) {
     onPick,
     onKind: (value) => actions.set({ error: value }),
     notes: ["R of the model minus exact R", "that over the exact R"],
+    more: [
+      {
+        value: "taken",
+        label: "taken from Schlick",
+        note: "Schlick's R minus the model's, beside what has to be taken from it: Schlick's R minus exact R",
+      },
+    ],
     print: {
       call: "/curves",
       behind: () => ({ state: now, indices: ["n_i", "n_t", "k_t"] }),
@@ -85,7 +94,7 @@ export function createPlots({ element, catalog: { models }, actions, save }) {
       traces.forEach((trace, index) => {
         const group = host.getElementsByClassName(`trace${traceUid(index)}`)[0];
         if (!(group instanceof SVGElement)) return;
-        const own = one === null || trace.id === "exact" || modelOf(trace) === one;
+        const own = one === null || modelOf(trace) === "exact" || modelOf(trace) === one;
         group.style.opacity = own ? "" : "0.18";
       });
     }
@@ -104,14 +113,24 @@ export function createPlots({ element, catalog: { models }, actions, save }) {
         const own = answers[`curves@${n}`];
         return own ? [{ n, curves: own }] : [];
       });
-      const look = JSON.stringify([state.angle, state.error, against(state), state.family]);
-      const sources = [answers.curves, ...family.map((/** @type {any} */ m) => m.curves)];
+      const look = JSON.stringify([
+        state.angle,
+        state.error,
+        state.polarized,
+        against(state),
+        state.family,
+      ]);
+      const { band } = freshOf(answers, bandPaths(state, catalog));
+      const sources = [answers.curves, band, ...family.map((/** @type {any} */ m) => m.curves)];
       const relative = state.error === "relative";
       const axis = angleAxis(state);
       const drawn = pair.draw(look, sources, moving, () => {
-        const all = curveTraces(answers.curves, against(state), models, toUnit, family);
+        const polarized = state.polarized === "on";
+        const ids = against(state);
+        const all = curveTraces(answers.curves, ids, models, toUnit, family, polarized);
         curves = distinct(all);
-        errors = errorTraces(all, relative);
+        const taken = state.error === "taken" ? takenTraces(all) : null;
+        errors = taken ?? errorTraces(all, relative);
         signed = errorTraces(all, false).filter((t) => !t.id.includes("@"));
         const marks = landmarksOf(answers.curves.interface).map((m) => ({
           x: toUnit(m.deg),
@@ -122,6 +141,7 @@ export function createPlots({ element, catalog: { models }, actions, save }) {
           upper: {
             traces: curves,
             marks,
+            bands: bandsOf(band, state.angle),
             axes: () => ({
               x: { ...axis, title: "", short: "θᵢ" },
               y: { title: "reflectance", range: curveRange(curves) },
@@ -129,11 +149,15 @@ export function createPlots({ element, catalog: { models }, actions, save }) {
           },
           lower: {
             traces: errors,
-            read: errors.filter((t) => t.id !== "exact"),
+            read: taken ?? errors.filter((t) => t.id !== "exact"),
             axes: () => ({
               x: axis,
               y: {
-                title: relative ? "(model − exact) / exact (%)" : "model − exact",
+                title: taken
+                  ? "Schlick − model"
+                  : relative
+                    ? "(model − exact) / exact (%)"
+                    : "model − exact",
                 range: errorRange(errors),
               },
             }),

@@ -1,9 +1,13 @@
 /** What the Compare view asks the server for. */
 
+import { bandPaths } from "../curves/reading.js";
 import { mediaQuery, parameterQuery, path } from "../state/state.js";
 import { codeOf, lutPath, snippetPath } from "../takeaway/fields.js";
 import { convertPath } from "./conversions.js";
 import { against, figureOf, focused, ranges, withCode } from "./fields.js";
+
+/** Without films, which other views may have put on the surface. @param {State} state @returns {State} */
+export const bare = (state) => ({ ...state, layers: "" });
 
 /** Enough for a smooth line, and steps of 0.01 over two units of n. */
 const SWEEP_STEPS = 201;
@@ -25,7 +29,8 @@ const ofModels = (route, state, catalog, models, end) =>
 function curvesPath(state, catalog, n_t = state.n_t) {
   const ids = against(state);
   const models = ids.length ? `models=exact,${ids.join(",")}` : "";
-  return ofModels("/curves", { ...state, n_t }, catalog, models, "landmarks=true");
+  const end = state.polarized === "on" ? "landmarks=true&polarized=true" : "landmarks=true";
+  return ofModels("/curves", { ...state, n_t }, catalog, models, end);
 }
 
 /** The errors over the angle are in the curves already. @param {State} state @param {Catalog} catalog */
@@ -121,6 +126,7 @@ export function later(state, catalog) {
     : models.filter((/** @type {string} */ id) => !hasTriple(state, id));
   const offered = withCode(state);
   return {
+    ...bandPaths(state, catalog),
     ...(example && { claims: `/claims?example=${example}` }),
     ...(models.length && { errors: errorsPath(state, catalog) }),
     ...Object.fromEntries(
@@ -129,7 +135,7 @@ export function later(state, catalog) {
     convert: convertPath(state),
     recommend: recommendPath(state, catalog),
     shader: snippetPath(state, offered),
-    lut: lutPath(state, catalog, codeOf(state, offered), "/lut/errors"),
+    lut: lutPath(bare(state), catalog, codeOf(state, offered), "/lut/errors"),
   };
 }
 

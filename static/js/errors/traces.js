@@ -1,7 +1,7 @@
 /** The curves of the Compare view and their errors, from the curves that the server sent. */
 
 import { values } from "../curves/reading.js";
-import { modelTraces } from "../models/look.js";
+import { modelStyle, modelTraces, shortTitle, traceName } from "../models/look.js";
 import { plain } from "../numbers/format.js";
 
 /**
@@ -15,9 +15,10 @@ import { plain } from "../numbers/format.js";
  * @param {Model[]} models
  * @param {(deg: number) => number} toUnit
  * @param {readonly Member[]} [family]
+ * @param {boolean} [polarized] whether Rs and Rp stand behind R
  * @returns {Trace[]}
  */
-export function curveTraces(curves, against, models, toUnit, family = []) {
+export function curveTraces(curves, against, models, toUnit, family = [], polarized = false) {
   const { n_t } = curves.interface;
   const members = [{ n: n_t, curves }, ...family.filter((m) => m.n !== n_t)];
   return members.flatMap(({ n, curves: own }, index) => {
@@ -33,7 +34,8 @@ export function curveTraces(curves, against, models, toUnit, family = []) {
       y: values(own, "R"),
     };
     const others = modelTraces(own, against, models, x);
-    if (index === 0) return [exact, ...others];
+    if (index === 0)
+      return [exact, ...others, ...(polarized ? polarizedTraces(own, against, models, x) : [])];
     return [
       { ...exact, id: `exact@${n}` },
       ...others.map((t) => ({
@@ -45,6 +47,32 @@ export function curveTraces(curves, against, models, toUnit, family = []) {
     ];
   });
 }
+
+/** @type {Record<string, {label: string, color: string, dash: string}>} */
+const POLARIZED = {
+  Rs: { label: "R_s", color: "--Rs", dash: "solid" },
+  Rp: { label: "R_p", color: "--Rp", dash: "dash" },
+};
+
+/**
+ * Rs and Rp of the exact curve, and in their colors with their own dashes those of the models that tell
+ * them apart. @param {Curves} curves @param {readonly string[]} against @param {Model[]} models @param {number[]} x
+ * @returns {Trace[]}
+ */
+function polarizedTraces(curves, against, models, x) {
+  return curves.curves
+    .filter((c) => c.quantity in POLARIZED && (c.model === "exact" || against.includes(c.model)))
+    .map(({ model, quantity, values: y }) => {
+      const look = /** @type {typeof POLARIZED[string]} */ (POLARIZED[quantity]);
+      const own = model === "exact" ? look : { ...look, dash: modelStyle(models, model).dash };
+      const title = shortTitle(models.find((m) => m.id === model)?.title ?? model);
+      const label = model === "exact" ? look.label : `${title} ${look.label}`;
+      return { ...own, id: traceName(model, quantity), label, x, y, width: 1.7 };
+    });
+}
+
+/** @param {Trace} trace */
+export const isPolarized = ({ id }) => /\.R[sp]$/.test(id);
 
 /**
  * Without the second of two equal curves: a model that knows no index has one for all of a family.
@@ -85,7 +113,7 @@ export function errorOf(values, exact, relative) {
 export function errorTraces(traces, relative) {
   const unit = relative ? " %" : undefined;
   return traces
-    .filter((t) => !t.id.startsWith("exact@"))
+    .filter((t) => !t.id.startsWith("exact@") && !isPolarized(t))
     .map((trace) => {
       if (trace.id === "exact")
         return { ...trace, unit, label: "", width: 1.2, y: trace.x.map(() => 0) };
@@ -93,6 +121,23 @@ export function errorTraces(traces, relative) {
       const exact = traces.find((t) => t.id === (at < 0 ? "exact" : `exact${trace.id.slice(at)}`));
       return { ...trace, unit, y: errorOf(trace.y, exact?.y ?? [], relative) };
     });
+}
+
+/**
+ * What models take away from Schlick's curve, beside what would have to be taken: Schlick minus exact.
+ * @param {readonly Trace[]} traces of `curveTraces`
+ * @returns {Trace[] | null} null where Schlick's is none of them
+ */
+export function takenTraces(traces) {
+  const schlick = traces.find((t) => t.id === "schlick");
+  if (!schlick) return null;
+  return traces
+    .filter((t) => t !== schlick && !t.id.includes("@") && !isPolarized(t))
+    .map((t) => ({
+      ...t,
+      label: t.id === "exact" ? "needed" : t.label,
+      y: errorOf(schlick.y, t.y, false),
+    }));
 }
 
 /**

@@ -9,8 +9,9 @@ import {
   roundAbove,
   THICKEST,
 } from "../layers/layers.js";
+import { layersField, spectral, unshortened } from "../layers/question.js";
 import { isDispersive } from "../media/media.js";
-import { choice, list, mediaQuery, number, path, whole } from "../state/state.js";
+import { choice, list, number, path, whole } from "../state/state.js";
 import { text } from "../state/text.js";
 
 export const D_LINE = 587.6;
@@ -19,7 +20,6 @@ const VISIBLE = /** @type {const} */ ([380, 780]);
 const THICK = 4000; // nm: narrower fringes want every nanometer
 export const NO_MODEL = "none";
 const MODEL_ID = /^[a-z0-9_]{1,40}$/u;
-const AIR = 0.001; // how far n_i may be from 1 where a shortcut takes air for granted
 export const QUANTITIES = ["R", "Rs", "Rp", "T", "A"];
 /** Thicknesses and angles of the map; fewer where each cell is a whole spectrum. */
 const CELLS = { thicknesses: 256, angles: 91 };
@@ -28,11 +28,7 @@ const FEW = { thicknesses: 64, angles: 61 };
 /** @returns {Record<string, Field>} */
 export function filmFields() {
   return {
-    layers: text(
-      (given) => readLayers(given) !== null,
-      "allowed are MEDIUM:NM, or MEDIUM:NM:incoherent, separated by commas",
-      "MgF2-o:99.6",
-    ),
+    layers: layersField(),
     film_layer: whole(number({ default: 1, minimum: 1, maximum: MOST_LAYERS })),
     film_show: list(QUANTITIES, ["R", "Rs", "Rp"]),
     film_to: number({ default: 1000, minimum: 1, maximum: THICKEST }),
@@ -44,17 +40,6 @@ export function filmFields() {
 
 /** @param {State} state */
 export const wavelengthOf = ({ wavelength_nm }) => wavelength_nm ?? D_LINE;
-
-/** The media by their spectra where they have any. @param {State} state @param {Catalog} catalog @returns {string[]} */
-function spectral(state, catalog) {
-  const { incident, material } = state;
-  /** @param {string | null} id */
-  const varies = (id) => isDispersive(catalog.materials.find((m) => m.id === id));
-  return [
-    ...(varies(incident) ? [`incident=${incident}`] : mediaQuery(state, catalog, ["n_i"])),
-    ...(varies(material) ? [`material=${material}`] : mediaQuery(state, catalog, ["n_t", "k_t"])),
-  ];
-}
 
 /** Where all media are known. @param {State} state @param {Catalog} catalog @returns {[number, number]} */
 export function spectrumRange(state, { materials }) {
@@ -68,21 +53,17 @@ export function spectrumRange(state, { materials }) {
   return low < high ? [low, high] : [...VISIBLE];
 }
 
+/** What is drawn where a link names no layers. */
+const COATING = "MgF2-o:99.6";
+
+/** The state with the layers that this view draws. @param {State} state @returns {State} */
+export const filled = (state) => (state.layers ? state : { ...state, layers: COATING });
+
 /** Whether a shortcut is to be shown, and why it cannot be. @param {State} state @returns {{wanted: boolean, why: string}} */
 export function isAskedFor({ film_model, layers, n_i, film_side }) {
-  const all = readLayers(layers) ?? [];
-  const [only] = all;
   if (film_model === NO_MODEL) return { wanted: false, why: "" };
   const why =
-    all.length !== 1
-      ? "Renderers know one film: this is a stack of several."
-      : only?.incoherent
-        ? "Renderers know films with interference alone."
-        : Math.abs(n_i - 1) > AIR
-          ? "Renderers take air for granted on the incident side."
-          : film_side !== "R"
-            ? "Shortcuts are of reflected light."
-            : "";
+    unshortened(layers, n_i) || (film_side !== "R" ? "Shortcuts are of reflected light." : "");
   return { wanted: why === "", why };
 }
 
@@ -127,12 +108,13 @@ function herePath(state, catalog, quantity) {
 /**
  * Paths by name. What a drag does not need keeps its last answer, and curves are coarser in it. The first
  * is always answered: what is dragged moves at once, and waits for no curve.
- * @param {State} state
+ * @param {State} given
  * @param {Catalog} catalog
  * @param {boolean} [moving]
  * @returns {Record<string, string>}
  */
-export function queries(state, catalog, moving = false) {
+export function queries(given, catalog, moving = false) {
+  const state = filled(given);
   const layers = readLayers(state.layers) ?? [];
   const [low, high] = spectrumRange(state, catalog);
   const thick = layers.some((layer) => !layer.incoherent && layer.nm > THICK);
@@ -155,8 +137,9 @@ export function queries(state, catalog, moving = false) {
   };
 }
 
-/** The colors, which stay while the thickness on their axis moves. @param {State} state @param {Catalog} catalog @returns {Record<string, string>} */
-export function later(state, catalog) {
+/** The colors, which stay while the thickness on their axis moves. @param {State} given @param {Catalog} catalog @returns {Record<string, string>} */
+export function later(given, catalog) {
+  const state = filled(given);
   return {
     map: mapPath(state, catalog),
     reflected: herePath(state, catalog, "R"),

@@ -8,7 +8,7 @@ import { createPlot } from "./plot.js";
 
 /**
  * @typedef {{name?: string, x: Axis, y: Axis}} PairAxes
- * @typedef {{traces: Trace[], marks?: Mark[], axes: () => PairAxes, read?: Trace[]}} Picture `read` are the
+ * @typedef {{traces: Trace[], marks?: Mark[], bands?: Band[], axes: () => PairAxes, read?: Trace[]}} Picture `read` are the
  *   curves whose values stand at the marker, all unless said otherwise
  * @typedef {object} Part
  * @property {Node | string} heading
@@ -35,6 +35,7 @@ const LABELS = 46; // px that both plots keep for the labels of their vertical a
  * @param {OnPick} options.onPick
  * @param {(value: string | undefined) => void} options.onKind how the error is to be shown
  * @param {[string, string]} options.notes what it is, absolute and relative
+ * @param {{value: string, label: string, note: string}[]} [options.more] other ways to show it
  * @param {{call: string, behind: () => Behind}} options.print
  * @param {(name: string, blob: Blob) => void} options.save
  */
@@ -48,6 +49,7 @@ export function createPair({
   onPick,
   onKind,
   notes,
+  more = [],
   print,
   save,
 }) {
@@ -56,6 +58,7 @@ export function createPair({
     items: [
       { value: "signed", label: "absolute", note: notes[0] },
       { value: "relative", label: "relative", note: notes[1] },
+      ...more,
     ],
     onChange: ([value]) => onKind(value),
   });
@@ -119,13 +122,13 @@ export function createPair({
       if (!changed(next, ...sources) && (settled || moving)) return false;
       shown = make();
       for (const place of places) {
-        const { traces, marks, axes } = shown[place];
+        const { traces, marks, bands, axes } = shown[place];
         const plot = plots[place];
         if (moving && next === look) plot.fast(traces, marks);
         else {
           const { y, ...others } = axes();
           plot.axes({ ...others, y: { ...y, labels: LABELS } });
-          void plot.draw(traces, marks);
+          void plot.draw(traces, marks, bands);
         }
       }
       look = next;

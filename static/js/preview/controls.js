@@ -3,12 +3,13 @@
 import { createChoices, createRow, createSheet } from "../controls/panel.js";
 import { createParameters } from "../controls/parameters.js";
 import { createSelect } from "../controls/select.js";
+import { printLayers, readLayers, THICKEST, thicknessText } from "../layers/layers.js";
 import { createInterface } from "../media/media.js";
 import { ExpressionError, evaluate } from "../numbers/expression.js";
 import { plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { html, render } from "../page/lit.js";
-import { BOUNDS, isOpaque, NONE, putRight } from "./fields.js";
+import { BOUNDS, isFilmed, isOpaque, isShortcut, NONE, putRight, SHORTCUT } from "./fields.js";
 import { coloredMaterial, SIDES } from "./queries.js";
 
 /** @type {Record<string, {label: string, range: [number, number], wide: [number, number]}>} */
@@ -23,6 +24,17 @@ const HOW = /** @type {const} */ ({
   texture: ["8-bit texture", "R from a table over the cosine"],
 });
 
+/** Films to begin with, by their layers. */
+const FILMS = {
+  "": "no film",
+  "water:330": "soap film",
+  "1.47:280": "oil",
+  "MgF2-o:99.6": "MgF₂ of a quarter wave",
+  "2.4:60": "titanium oxide",
+  "1.3:400": "n = 1.3, 400 nm: glTF's default",
+  "Au:30": "gold leaf",
+};
+
 /** @type {Record<string, (model: Model) => boolean>} */
 const GROUPS = {
   Approximations: ({ kind, trap }) => kind !== "exact" && !trap,
@@ -30,8 +42,21 @@ const GROUPS = {
   "Exact forms": ({ kind, trap }) => kind === "exact" && !trap,
 };
 
-/** @param {Model[]} models @returns {import('../controls/select.js').Options} */
-function sidesOf(models) {
+/** The films, and those that are there if they are others. @param {string} layers @returns {import('../controls/select.js').Options} */
+function filmsOf(layers) {
+  const all = readLayers(layers) ?? [];
+  const [only] = all;
+  const words =
+    all.length > 1 ? `${all.length} layers` : `${only?.medium}, ${thicknessText(only?.nm ?? 0)}`;
+  return layers in FILMS ? FILMS : { ...FILMS, [layers]: words };
+}
+
+/**
+ * @param {Model[]} models
+ * @param {readonly {id: string, title: string}[]} shortcuts for films
+ * @returns {import('../controls/select.js').Options}
+ */
+function sidesOf(models, shortcuts) {
   /** @param {(model: Model) => boolean} holds */
   const titles = (holds) =>
     Object.fromEntries(models.filter(holds).map(({ id, title }) => [id, title]));
@@ -42,6 +67,11 @@ function sidesOf(models) {
   return {
     ...titles((m) => m.id === "exact"),
     [NONE]: "No reflection",
+    ...(shortcuts.length > 0 && {
+      "Films as renderers shorten them": Object.fromEntries(
+        shortcuts.map(({ id, title }) => [`${SHORTCUT}${id}`, title]),
+      ),
+    }),
     ...Object.fromEntries(groups),
   };
 }
@@ -107,15 +137,29 @@ export function createControls(context) {
   });
   body.append(paint);
 
-  const offered = sidesOf(catalog.models);
   /** @param {'left' | 'right'} side */
   const select = (side) =>
-    createSelect(
-      `Model on the ${side}`,
-      (id) => actions.set(side === "right" ? putRight(state(), id) : { left: id }),
-      offered,
+    createSelect(`Model on the ${side}`, (id) =>
+      actions.set(side === "right" ? putRight(state(), id) : { left: id }),
     );
   const selects = { left: select("left"), right: select("right") };
+  const film = createSelect("Film on the surface", (layers) => actions.set({ layers }));
+  const thickness = createRow({
+    parameter: { name: "film_nm", symbol: "d", minimum: 0, maximum: THICKEST },
+    prefix,
+    preset: 100,
+    label: "thickness in nm",
+    range: [0, 1000],
+    wide: [0, 5000],
+    steps: { step: 1, fine: 0.1, page: 10 },
+    onChange(value, moving) {
+      const [first, ...others] = readLayers(state().layers) ?? [];
+      if (!first) return;
+      const layers = printLayers([{ ...first, nm: value ?? 0 }, ...others]);
+      actions.set({ layers }, { history: moving ? "replace" : "push" });
+    },
+    onSettle: actions.settle,
+  });
 
   /** @param {'left' | 'right'} side @param {string} reason */
   const sideOf = (side, reason) => html`<section class="side-choice" aria-label=${side}>
@@ -132,26 +176,38 @@ export function createControls(context) {
     stop() {
       media.stop();
       texels.stop();
+      thickness.stop();
       parameters.stop();
       for (const { row } of rows) row.stop();
     },
     /**
      * @param {State} now
      * @param {{left: string, right: string}} reasons why a model is outside its domain here
+     * @param {readonly {id: string, title: string}[]} shortcuts for films, where there are any
      */
-    update(now, reasons) {
+    update(now, reasons, shortcuts) {
       media.update(now);
       for (const { name, row } of rows) row.update(now[name]);
       sheet.update();
       choices.update(now);
-      for (const side of SIDES) selects[side].update(now[side]);
+      const unnamed = [now.left, now.right].filter(
+        (id) => isShortcut(id) && !shortcuts.some((s) => `${SHORTCUT}${s.id}` === id),
+      );
+      const named = unnamed.map((id) => id.slice(SHORTCUT.length));
+      const known = [...shortcuts, ...named.map((id) => ({ id, title: id }))];
+      for (const side of SIDES) selects[side].update(now[side], sidesOf(catalog.models, known));
+      const filmed = isFilmed(now);
+      const [first] = readLayers(now.layers) ?? [];
+      film.update(now.layers, filmsOf(now.layers));
+      thickness.element.hidden = !filmed;
+      if (first) thickness.update(first.nm);
       const textured = now.left_by === "texture" || now.right_by === "texture";
       texels.element.hidden = !textured;
       if (textured) texels.update(now.texels);
       parameters.update(now, [now.left, now.right]);
-      const dark = isOpaque(now);
-      body.hidden = dark || now.scene !== "ball";
-      paint.hidden = now.body !== "paint";
+      const absorbs = now.k_t > 0;
+      body.hidden = absorbs || now.scene !== "ball";
+      paint.hidden = now.body !== "paint" || filmed;
       if (document.activeElement !== paint) paint.value = now.paint;
       sky.hidden = now.scene !== "ball";
       colors.hidden = coloredMaterial(now, catalog) === null;
@@ -162,9 +218,17 @@ export function createControls(context) {
           </div>
           <div class="heading"><h2>Media</h2></div>
           ${media.element}
+          <div class="heading"><h2>Film</h2></div>
+          <div class="choices film-on">${film.element}${thickness.element}</div>
           <div class="choices">
             ${colors} ${scene} ${body}
-            <p class="reason">${dark ? "It absorbs: what enters does not come back." : ""}</p>
+            <p class="reason">${
+              absorbs
+                ? "It absorbs: what enters does not come back."
+                : isOpaque(now)
+                  ? "Under a film it is black, since paint would hide the colors."
+                  : ""
+            }</p>
             ${sky}
           </div>
           <div class="rows">${rows.map((r) => r.row.element)}</div>`,

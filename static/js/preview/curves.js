@@ -1,20 +1,28 @@
 /** From the server's curves over the angle to textures over its cosine. */
 
+import { isShortcut, SHORTCUT } from "./fields.js";
 import { CHANNELS } from "./queries.js";
 import { INTERVALS, UNDEFINED } from "./shader.js";
 
 /**
  * @typedef {(number | null)[]} Values
  * @typedef {{theta_i_deg: number[], rgb: {curves: {model: string, R_red: Values, R_green: Values, R_blue: Values}[]}}} Colored
+ * @typedef {{theta_i_deg: number[], colors: {model: string, linear_srgb: [number, number, number][][]}[]}} Filmed of one thickness
  */
 
 /**
  * R, G and B of one answer; the same curve three times where there is only one.
- * @param {Curves | Colored} answer
+ * @param {Curves | Colored | Filmed} answer
  * @param {string} model
  * @returns {[Values, Values, Values]}
  */
 function channelsOf(answer, model) {
+  if ("colors" in answer) {
+    const id = isShortcut(model) ? model.slice(SHORTCUT.length) : model;
+    const row = answer.colors.find((c) => c.model === id)?.linear_srgb[0];
+    if (!row) throw new Error(`the answer has no colors of ${id}`);
+    return [row.map(([r]) => r), row.map(([, g]) => g), row.map(([, , b]) => b)];
+  }
   if ("rgb" in answer) {
     // The spectrum itself is what is exact for a material.
     const name = model === "exact" ? "spectral" : model;
@@ -47,7 +55,7 @@ function readAt(values, mu) {
 
 /**
  * The texels of a side: R, G, B and 1 at cosines from 0 to 1.
- * @param {(Curves | Colored)[]} answers one, or one for each of R, G and B
+ * @param {(Curves | Colored | Filmed)[]} answers one, or one for each of R, G and B
  * @param {string} model
  * @returns {Float32Array}
  */

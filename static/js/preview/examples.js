@@ -23,6 +23,7 @@ const START = {
   body: "paint",
   sky: "day",
   colors: "rgb",
+  layers: "",
 };
 const WATER = { n_t: 1.333, scene: "water", pitch: 14, distance: 7 };
 
@@ -36,6 +37,11 @@ export const EXAMPLES = [
     state: { ...WATER, right: "schlick", right_by: "vertex" },
   },
   {
+    title: "Per pixel, figure 12",
+    source: "Wloka",
+    state: { ...WATER, right: "schlick" },
+  },
+  {
     title: "Texture, figure 13, of 16 texels",
     source: "Wloka",
     state: { ...WATER, right: "exact", right_by: "texture", texels: 16 },
@@ -43,6 +49,26 @@ export const EXAMPLES = [
   { title: "No reflection, figure 14", source: "Wloka", state: { ...WATER, right: NONE } },
   { title: "1 − cos, figure 15", source: "Wloka", state: { ...WATER, right: "one_minus_cos" } },
   { title: "Even light", source: "furnace", state: { material: "Au", sky: "even" } },
+  {
+    title: "Soap bubble",
+    source: "330 nm of water",
+    state: { layers: "water:330", n_t: 1, body: "clear", right: NONE },
+  },
+  {
+    title: "Oil on water",
+    source: "against no oil",
+    state: { ...WATER, layers: "1.47:280", right: "schlick" },
+  },
+  {
+    title: "Anodized titanium",
+    source: "25 volts",
+    state: { layers: "2.4:60", material: "Ti" },
+  },
+  {
+    title: "Iridescence as glTF has it",
+    source: "against the spectrum",
+    state: { layers: "1.8:250", material: "Cr", right: "film.gltf_iridescence" },
+  },
 ].map((example) => ({ ...example, state: /** @type {State} */ ({ ...START, ...example.state }) }));
 
 /** How one looks at it is free. */

@@ -1,5 +1,6 @@
 /** The state that the Preview view adds to the one all views share. */
 
+import { layersField } from "../layers/question.js";
 import {
   choice,
   chosenModels,
@@ -13,6 +14,10 @@ import { snippetFields, tableFields } from "../takeaway/fields.js";
 
 /** Without any reflection, as in Wloka's figure 14; all else is a registered model. */
 export const NONE = "none";
+
+/** Before the id of a renderer's shortcut for a film; which there are the server tells. */
+export const SHORTCUT = "film.";
+const SHORTCUT_ID = /^film\.[a-z0-9_]{1,40}$/u;
 
 /** What of both sides is seen. */
 export const SEEN = ["split", "flicker", "difference", "left", "right"];
@@ -39,14 +44,21 @@ function hex(preset) {
   };
 }
 
+/** What a side may show besides: a renderer's shortcut for a film. @param {Field} model @returns {Field} */
+const orShortcut = (model) => ({
+  ...model,
+  parse: (text) => (SHORTCUT_ID.test(text) ? text : model.parse(text)),
+});
+
 /** @param {Catalog} catalog @returns {Record<string, Field>} */
 export function previewFields({ models }) {
   const ids = [...models.map((m) => m.id), NONE];
   const by = ["pixel", "vertex", "texture"];
   return {
     scene: choice("ball", ["ball", "water"]),
-    left: choice("exact", ids),
-    right: optional(ids),
+    left: orShortcut(choice("exact", ids)),
+    right: orShortcut(optional(ids)),
+    layers: layersField(),
     left_by: choice("pixel", by),
     right_by: choice("pixel", by),
     texels: whole(number(BOUNDS.texels)),
@@ -76,23 +88,30 @@ export const sided = (state) => ({
 
 /**
  * What the state becomes when a model is put on the right: it is the first of those of all views. The
- * exact curve and none at all are no models that stand beside it.
+ * exact curve, none at all and shortcuts for films are no models that stand beside it.
  * @param {State} state
  * @param {string} id
  * @returns {State}
  */
 export function putRight(state, id) {
-  if (id === "exact" || id === NONE) return { right: id };
+  if (id === "exact" || id === NONE || isShortcut(id)) return { right: id };
   const others = chosenModels(state).filter((other) => other !== id);
   return { right: null, models: Object.freeze([id, ...others]) };
 }
 
 /** Models whose code is offered: those on the sides, and what they are measured by. @param {State} state */
 export const withCode = ({ left, right }) =>
-  [...new Set([right, left, "exact"])].filter((id) => id !== NONE);
+  [...new Set([right, left, "exact"])].filter((id) => id !== NONE && !isShortcut(id));
 
-/** Whether what enters the chosen medium never comes back. @param {State} state */
-export const isOpaque = ({ k_t }) => k_t > 0;
+/** @param {string} id */
+export const isShortcut = (id) => id.startsWith(SHORTCUT);
+
+/** Whether there are films on the surface. @param {State} state */
+export const isFilmed = ({ layers }) => Boolean(layers);
+
+/** Whether what enters the chosen medium never comes back: under films paint is left out, which would hide their colors. @param {State} state */
+export const isOpaque = ({ k_t, layers, scene, body }) =>
+  k_t > 0 || (Boolean(layers) && scene === "ball" && body === "paint");
 
 /** Whether the ball is coated paint here. @param {State} state */
 export const isPaint = (state) =>

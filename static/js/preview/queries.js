@@ -1,10 +1,22 @@
 /** What the Preview view asks the server for. */
 
+import { asked, openedAt, readLayers } from "../layers/layers.js";
+import { spectral, unshortened } from "../layers/question.js";
 import { isDispersive } from "../media/media.js";
 import { decoded } from "../numbers/srgb.js";
 import { mediaQuery, parameterQuery, path, stateName } from "../state/state.js";
 import { codeOf, lutPath, snippetPath } from "../takeaway/fields.js";
-import { isEven, isPaint, NONE, sided, withCode } from "./fields.js";
+import {
+  isEven,
+  isFilmed,
+  isOpaque,
+  isPaint,
+  isShortcut,
+  NONE,
+  SHORTCUT,
+  sided,
+  withCode,
+} from "./fields.js";
 
 /**
  * @typedef {'left' | 'right'} Side
@@ -49,12 +61,56 @@ function modelsQuery(state, catalog, ids) {
 
 /** One question for both sides. @param {State} state @param {Catalog} catalog */
 function bothPath(state, catalog) {
-  const ids = [...new Set([state.left, state.right])].filter((id) => id !== NONE).sort();
+  const ids = [...new Set([state.left, state.right])]
+    .filter((id) => id !== NONE && !isShortcut(id) && !(isFilmed(state) && id === "exact"))
+    .sort();
   return path("/curves", [
     ...mediaQuery(state, catalog),
     ...modelsQuery(state, catalog, ids),
     ...FINE,
   ]);
+}
+
+/**
+ * Why a renderer's shortcut cannot stand on a side; empty where it can.
+ * @param {State} state
+ * @param {string} model
+ */
+export function shortcutReason({ layers, n_i }, model) {
+  if (!isShortcut(model)) return "";
+  return layers ? unshortened(layers, n_i) : "There is no film to be shortened: choose one below.";
+}
+
+/** Steps of half a degree: the colors of films have no more in them than a curve's. */
+const FILM_ANGLES = 181;
+
+/** The colors of the films, with the shortcuts that are on the sides. @param {State} state @param {Catalog} catalog @param {"R" | "T"} quantity */
+function filmPath(state, catalog, quantity) {
+  const layers = readLayers(state.layers) ?? [];
+  const shortcuts = [...new Set([state.left, state.right])]
+    .filter((id) => isShortcut(id) && !shortcutReason(state, id))
+    .map((id) => id.slice(SHORTCUT.length))
+    .sort();
+  return path("/films/color", [
+    ...spectral(state, catalog),
+    asked(openedAt(layers, 0)),
+    `thickness_nm=${layers[0]?.nm ?? 0}`,
+    `samples=${FILM_ANGLES}`,
+    quantity === "T" ? "quantity=T" : shortcuts.length > 0 && `models=${shortcuts.join(",")}`,
+    "digits=6",
+  ]);
+}
+
+/**
+ * What is let through where that is not what is not reflected: films absorb.
+ * @param {State} state
+ * @param {Catalog} catalog
+ * @param {Side} side
+ * @returns {string | null}
+ */
+export function throughPath(state, catalog, side) {
+  const own = isFilmed(state) && state[side] === "exact" && !isOpaque(state);
+  return own ? filmPath(state, catalog, "T") : null;
 }
 
 /**
@@ -66,7 +122,9 @@ function bothPath(state, catalog) {
  */
 export function sidePaths(state, catalog, side) {
   const model = state[side];
-  if (model === NONE) return {};
+  if (model === NONE || shortcutReason(state, model)) return {};
+  if (isShortcut(model) || (isFilmed(state) && model === "exact"))
+    return { film: filmPath(state, catalog, "R") };
   const material = state.colors === "rgb" ? coloredMaterial(state, catalog) : null;
   if (!material) return { curves: bothPath(state, catalog) };
   const front = isDispersive(catalog.materials.find((m) => m.id === state.incident))
@@ -130,9 +188,11 @@ export function queries(state, catalog) {
 
 /** @param {State} state @param {Catalog} catalog */
 function queriesOf(state, catalog) {
+  const through = SIDES.map((side) => throughPath(state, catalog, side)).find(Boolean);
   return {
     ...sidePaths(state, catalog, "right"),
     ...sidePaths(state, catalog, "left"),
+    ...(through && { through }),
     ...coatPaths(state, catalog),
     ...(state.scene === "ball" &&
       !isEven(state) && { water: path("/curves", [`n_t=${WATER}`, ...FINE]) }),
@@ -144,6 +204,7 @@ export function later(given, catalog) {
   const state = sided(given);
   const offered = withCode(state);
   return {
+    ...(isFilmed(state) && { shortcuts: "/films/models" }),
     shader: snippetPath(state, offered),
     lut: lutPath(state, catalog, codeOf(state, offered), "/lut/errors"),
   };

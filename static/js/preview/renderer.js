@@ -44,7 +44,8 @@ function createWith(gl) {
   /** @type {Map<string, Program>} */
   const programs = new Map();
   const curves = texture(gl.NEAREST);
-  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, TEXELS, 3, 0, gl.RGBA, gl.FLOAT, null);
+  const rows = Object.keys(ROWS).length;
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, TEXELS, rows, 0, gl.RGBA, gl.FLOAT, null);
   const tables = { left: texture(gl.LINEAR), right: texture(gl.LINEAR) };
   const sizes = { left: 2, right: 2 };
   const frames = { left: target(), right: target() };

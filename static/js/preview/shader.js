@@ -7,8 +7,8 @@
 
 /** Intervals of a curve's texture over cos(theta_i), which has a texel more. */
 export const INTERVALS = 1024;
-/** Rows of that texture. */
-export const ROWS = { left: 0, right: 1, water: 2 };
+/** Rows of that texture: R of both sides and of water, T of both sides. */
+export const ROWS = { left: 0, right: 1, water: 2, left_T: 3, right_T: 4 };
 /** What a texel holds where the model is undefined. */
 export const UNDEFINED = 1e9;
 /** Radiance of the even light, in every channel. */
@@ -49,6 +49,7 @@ precision highp float;
 precision highp sampler2D;
 const int LAST = ${INTERVALS};
 const int WATER = ${ROWS.water};
+const int T_BELOW_R = ${ROWS.left_T - ROWS.left};
 const float UNDEFINED = ${UNDEFINED.toExponential()};
 const vec3 EVEN = vec3(${float(EVEN)});
 
@@ -211,13 +212,22 @@ vec3 R(float mu) {
 #endif
 }
 
-/** Shirley's mix, color = T x refracted + R x reflected, T = 1 - R; hatched where there is no R. */
-vec3 mixed(vec3 r, vec3 refracted, vec3 reflected) {
+/** What the chosen interface lets through: all that it does not reflect, unless films absorb. */
+vec3 T(float mu, vec3 r) {
+#ifdef OWN_T
+  return curve(u_row + T_BELOW_R, clamp(mu, 0.0, 1.0));
+#else
+  return 1.0 - r;
+#endif
+}
+
+/** Shirley's mix, color = T x refracted + R x reflected; hatched where there is no R. */
+vec3 mixed(vec3 r, vec3 t, vec3 refracted, vec3 reflected) {
 #ifdef HOLES
   if (r.r >= UNDEFINED)
     return fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0) < 0.5 ? vec3(0.6, 0.05, 0.4) : vec3(0.25, 0.0, 0.18);
 #endif
-  return (1.0 - r) * refracted + r * reflected;
+  return t * refracted + r * reflected;
 }
 
 /** The paint under the surface: light comes in through it from everywhere, and goes out through it. */
@@ -263,15 +273,15 @@ vec3 around(vec3 from, vec3 d, float way) {
   float far = way + 3.0 * t; // a curved mirror spreads the pixel
   float deep;
 #ifdef WATER_CHOSEN
-  vec3 r = R(-d.y);
+  vec3 r = R(-d.y), through = T(-d.y, r);
   vec3 b = refract(d, vec3(0.0, 1.0, 0.0), u_eta);
 #else
-  vec3 r = waterR(-d.y);
+  vec3 r = waterR(-d.y), through = 1.0 - r;
   vec3 b = refract(d, vec3(0.0, 1.0, 0.0), WATER_ETA);
 #endif
   vec3 c = sky(vec3(d.x, abs(d.y), d.z));
   vec3 floored = ground(p, b, far, -d.y, deep);
-  c = d.y < 0.0 ? mixed(r, floored * murk(deep), c) : c;
+  c = d.y < 0.0 ? mixed(r, through, floored * murk(deep), c) : c;
   float nearest = d.y < 0.0 ? t : FAR;
   things(from, d, nearest, c);
   return c;
@@ -318,6 +328,7 @@ void main() {
 #else
   vec3 r = R(mu);
 #endif
+  vec3 through = T(mu, r);
   vec3 inner = vec3(0.0);
 #if BODY == ${BODY.paint}
   inner = paint(N);
@@ -326,9 +337,9 @@ void main() {
   vec3 q = p - 2.0 * dot(inside, N) * inside;
   vec3 leaving = refract(inside, BALL.xyz - q, 1.0 / u_eta);
   // At both ends of a chord the angles are the same: as much is let out as was let in.
-  inner = dot(leaving, leaving) > 0.5 ? (1.0 - r) * around(q, leaving, t + 4.0) : vec3(0.0);
+  inner = dot(leaving, leaving) > 0.5 ? through * around(q, leaving, t + 4.0) : vec3(0.0);
 #endif
-  vec3 c = mixed(r, inner, around(p, reflect(d, N), t));
+  vec3 c = mixed(r, through, inner, around(p, reflect(d, N), t));
 #endif
   put(c, cover, cover);
 }`;
@@ -368,7 +379,9 @@ vec3 mirrored(vec3 p, vec3 d) {
   vec3 leaving = reflect(-inside, normalize(inside - 0.6 * N));
   inner = mix(dim, sky(leaving), smoothstep(-0.25, 0.1, leaving.y));
 #endif
-  return mixed(R(clamp(-dot(d, N), 0.0, 1.0)), inner, reflected);
+  float mu = clamp(-dot(d, N), 0.0, 1.0);
+  vec3 r = R(mu);
+  return mixed(r, T(mu, r), inner, reflected);
 #endif
 }
 #endif
@@ -381,6 +394,7 @@ void main() {
   float mu = max(-dot(d, N), 0.0);
 #ifndef WATER_CHOSEN
   vec3 r = waterR(mu);
+  vec3 through = 1.0 - r;
   vec3 b = refract(d, N, WATER_ETA);
 #else
   vec3 b = refract(d, N, u_eta);
@@ -389,6 +403,7 @@ void main() {
 #else
   vec3 r = R(mu);
 #endif
+  vec3 through = T(mu, r);
 #endif
   vec3 inner = vec3(0.0);
 #if !defined(WATER_CHOSEN) || BODY == ${BODY.clear}
@@ -407,7 +422,7 @@ void main() {
   reflected = nearest < FAR ? mirrored(p + nearest * up, up) : reflected;
   things(p, up, nearest, reflected);
 #endif
-  put(mixed(r, inner, reflected), 1.0, WATER_MASK);
+  put(mixed(r, through, inner, reflected), 1.0, WATER_MASK);
 }`;
 
 const PRESENT = `
@@ -447,6 +462,7 @@ void main() {
  * @property {boolean} water whether the water, in place of the ball, has the chosen interface
  * @property {boolean} even
  * @property {boolean} holes whether the model is undefined somewhere
+ * @property {boolean} own_t whether what is let through is known apart from what is reflected
  */
 
 /** @type {Record<string, string>} */
@@ -460,13 +476,14 @@ const PASSES = { sky: SKY, water: WATER_PASS, ball: BALL_PASS, thing: THING };
  */
 export function surface(
   pass,
-  { how, body, water, even, holes },
+  { how, body, water, even, holes, own_t },
   { plain = false, encode = false } = {},
 ) {
   const flags = {
     WATER_CHOSEN: water,
     EVEN_LIGHT: even,
     HOLES: holes,
+    OWN_T: own_t,
     PLAIN: plain,
     ENCODE: encode,
   };

@@ -1,8 +1,8 @@
 /** What is known of both sides: their curves as textures, kept by the questions they answer. */
 
 import { constantTexels, tableOf, texelsOf } from "./curves.js";
-import { isEven, isOpaque, isPaint, NONE } from "./fields.js";
-import { coatPaths, queries, SIDES, sidePaths } from "./queries.js";
+import { isEven, isFilmed, isOpaque, isPaint, isShortcut, NONE } from "./fields.js";
+import { coatPaths, queries, SIDES, shortcutReason, sidePaths, throughPath } from "./queries.js";
 import { BODY, HOW, UNDEFINED } from "./shader.js";
 
 /**
@@ -41,7 +41,8 @@ export function createSides(catalog) {
     if (found) return found;
     const answers = paths.map((path) => kept.get(path));
     if (answers.includes(undefined)) return null;
-    const fresh = paths.length ? texelsOf(answers, model) : constantTexels(0);
+    const nothing = model === NONE ? 0 : UNDEFINED;
+    const fresh = paths.length ? texelsOf(answers, model) : constantTexels(nothing);
     keep(made, key, fresh);
     return fresh;
   }
@@ -55,10 +56,14 @@ export function createSides(catalog) {
 
     /** Why a side's model does not apply here. @param {State} state @param {Side} side @returns {string} */
     reason(state, side) {
+      const model = state[side];
+      if (isShortcut(model)) return shortcutReason(state, model);
+      if (isFilmed(state) && model !== "exact" && model !== NONE)
+        return "It knows no films: the surface without them.";
       const [path = ""] = Object.values(sidePaths(state, catalog, side));
       /** @type {Curve[]} */
       const curves = kept.get(path)?.curves ?? [];
-      const reason = curves.find((c) => c.model === state[side])?.reason;
+      const reason = curves.find((c) => c.model === model)?.reason;
       return reason ? `Outside its domain: ${reason}` : "";
     },
 
@@ -84,6 +89,15 @@ export function createSides(catalog) {
           renderer.setCurve(side, found);
           holes[side] = found.includes(UNDEFINED);
           held[side] = key;
+        }
+        const through = throughPath(state, catalog, side);
+        if (through) {
+          const passing = texels([through], "exact");
+          if (passing && held[`${side}_T`] !== through) {
+            renderer.setCurve(`${side}_T`, passing);
+            held[`${side}_T`] = through;
+          }
+          all &&= passing !== null;
         }
         const table = `${key} ${state.texels}`;
         if (state[`${side}_by`] === "texture" && held[`table.${side}`] !== table) {
@@ -115,6 +129,7 @@ export function createSides(catalog) {
         water: now.scene === "water",
         even: isEven(now),
         holes: holes[side],
+        own_t: throughPath(now, catalog, side) !== null,
       });
       const external = coats[0]?.external ?? 0;
       return {

@@ -18,7 +18,7 @@ import { createOwnRow } from "./rows.js";
  * @typedef {{latex: string, meaning: string, unit: string}} Sign
  * @typedef {{value: number, of: string, over: string, against: string, relative: boolean, at_most: boolean, unit: string}} Accuracy
  * @typedef {{name: string, symbol: string, value: number, minimum: number, maximum: number}} Taken
- * @typedef {{id: string, kind: string, title: string, latex: string, convention: string, validity: string,
+ * @typedef {{id: string, kind: string, title: string, latex: string, convention: string, validity: string, printed: string,
  *   reference: string, links: string[], symbols: Sign[], measured: Accuracy[], takes: Taken[]}} Formula
  * @typedef {{name: string, symbol: string, title: string, unit: string}} AxisName
  * @typedef {{formula: string, n_i: number, n_t: number, k_t: number, x: AxisName, at: number[], y: AxisName,
@@ -28,7 +28,7 @@ import { createOwnRow } from "./rows.js";
 const KINDS = /** @type {const} */ ({
   model: "Reflectance",
   albedo: "Albedo",
-  angle: "Angles and depths",
+  angle: "Angles, directions and depths",
   conversion: "Conversions",
 });
 /** State field, label and slider of what a curve may be given. */
@@ -50,7 +50,10 @@ const ANGLES = {
   pseudo_brewster: { k_t: 3 },
   principal: { k_t: 3, show: "phase" },
   refraction: { n_i: 1.5, n_t: 1, theta_i_deg: 30 },
+  reflected_direction: { theta_i_deg: 50 },
+  refracted_direction: { theta_i_deg: 50 },
 };
+const EXACT_ALBEDOS = ["exact", "dielectric", "dunkle", "flatland", "allen", "reciprocity", "coat"];
 const CRITICAL = { n_i: 1.5, n_t: 1, theta_i_deg: 41.810314895778596 };
 /** What the converter takes. */
 const GIVEN = ["ior", "nk", "f0", "f0_srgb", "specular", "reflectance", "rg", "dg"];
@@ -68,7 +71,7 @@ export function used({ id, kind, takes }) {
     return ["Open in Compare", "compare", { ...own, models: name === "exact" ? "schlick" : name }];
   }
   if (kind === "albedo") {
-    const exact = ["exact", "dielectric", "flatland", "reciprocity", "coat"].includes(name);
+    const exact = EXACT_ALBEDOS.includes(name);
     /** @type {Record<string, string | number>} */
     const to = exact ? {} : { fits: name };
     if (takes.some((t) => t.name === "k_t"))
@@ -97,9 +100,10 @@ function significantOrPower(value) {
 }
 
 /** @param {Formula} formula */
-const facts = ({ validity, symbols, measured, convention, reference, links }) => html`
+const facts = ({ validity, printed, symbols, measured, convention, reference, links }) => html`
   <h4>Where it holds</h4>
   <p>${words(validity)}</p>
+  ${printed ? html`<h4>In print</h4><p class="printed-otherwise">${words(printed)}</p>` : nothing}
   <h4>Letters</h4>
   <dl class="letters">
     ${symbols.map(({ latex, meaning, unit }) => html`<div><dt>${math(latex)}</dt><dd>${words(meaning)}${unit ? html`<span class="unit"> (${unit})</span>` : nothing}</dd></div>`)}

@@ -20,6 +20,7 @@ import { thinQueries } from "./film-lesson.js";
  * @property {string[]} text paragraphs; `$…$` is mathematics
  * @property {string} [formula] of `/formulas`, shown with a link
  * @property {string} [code] what people write
+ * @property {boolean} [planes] whether the planes of the wave beyond the surface are drawn
  * @property {'colors' | 'coat' | 'films'} [picture] in place of the ray beside the curves
  * @property {Partial<Setting>} at
  * @property {Partial<Record<RowName, [number, number]>>} [rows] what can be moved, with the slider's range

@@ -10,6 +10,7 @@ import { pieces } from "../page/prose.js";
 import { UNTOUCHED } from "./fields.js";
 import { createFilmPicture } from "./film-picture.js";
 import { settingOf } from "./lesson.js";
+import { createPlanes } from "./planes.js";
 import { createRows } from "./rows.js";
 import { createStage } from "./stage.js";
 
@@ -57,6 +58,8 @@ export function createLessons({ lessons, key, title, intro, context }) {
   const coat = createCoat(context, `${key}-`);
   /** Made for the lesson that has it. @type {ReturnType<typeof createFilmPicture> | null} */
   let films = null;
+  /** @type {ReturnType<typeof createPlanes> | null} */
+  let planes = null;
   const element = h("div", { class: `lessons ${section}` });
 
   let shown = lessonOf(state());
@@ -113,6 +116,8 @@ export function createLessons({ lessons, key, title, intro, context }) {
       : null;
     if (picture === "films") films ??= createFilmPicture(context);
     if (films) films.element.hidden = picture !== "films";
+    if (lesson.planes) planes ??= createPlanes();
+    if (planes) planes.element.hidden = !lesson.planes;
     stage.element.hidden = picture === "coat" || picture === "films";
     stage.element.dataset.picture = picture ?? "surface";
     coat.element.hidden = picture !== "coat";
@@ -176,7 +181,7 @@ export function createLessons({ lessons, key, title, intro, context }) {
           <div class="lesson-media" role="group" aria-label="Media" ?hidden=${media.length === 0}>
             ${media.map((id) => medium(id, setting))}
           </div>
-          ${stage.element} ${coat.element} ${films?.element}
+          ${stage.element} ${coat.element} ${films?.element} ${planes?.element}
           <p class="lesson-live" ?hidden=${picture === "coat" || picture === "films"}>${live}</p>
           <div>${rows?.element}</div>
         </section>
@@ -216,6 +221,7 @@ export function createLessons({ lessons, key, title, intro, context }) {
       const reading = own ? null : stage.update(lesson, setting, answers, moving);
       if (picture === "coat") coat.update(now, answers.coat, undefined);
       if (picture === "films") films?.update(now, setting.deg, answers);
+      if (lesson.planes && reading) planes?.update(reading);
       const scene = { setting, reading, answers, state: now };
       const answered = reading !== null && sameMedia(reading.interface, setting);
       rows?.update(setting, reading ? landmarksOf(reading.interface) : []);

@@ -326,7 +326,7 @@ export const STEPS = [
     text: [
       "A film has two boundaries, and the waves from both add: $r=\\dfrac{r_{12}+r_{23}e^{2i\\delta}}{1+r_{12}r_{23}e^{2i\\delta}}$ with $\\delta=\\dfrac{2\\pi n d\\cos\\theta}{\\lambda}$. The second wave has gone to the far side and back, so what it adds depends on the color, the thickness and the angle: a soap film, which has no color of its own, shows all of them.",
       "Where soap gets very thin it goes **black**. The wave from the far side then lags by nothing, but it comes off water into air, which turns it over: $r_{23}=-r_{12}$. The two cancel in every color. Shortly after, the film bursts.",
-      "Gold absorbs, and yet a leaf of a ten-thousandth of a millimeter lets light through. It reflects red and yellow and absorbs blue; what is left for the far side is **green**. That is Shirley's remark about gold, seen from behind. In the metal the planes of equal amplitude lie parallel to the surface, for the light dies with depth, while those of equal phase lean with the angle.",
+      "Gold absorbs, and yet a leaf of a ten-thousandth of a millimeter lets light through. It reflects red and yellow and absorbs blue; what is left for the far side is **green**. That is Shirley's remark about gold, seen from behind.",
     ],
     formula: "model.exact",
     picture: "films",
@@ -347,6 +347,43 @@ export const STEPS = [
     more: [
       ["Films of your own, exact and as renderers shorten them", "films", {}],
       ["Gold leaf in full", "films", { layers: "Au:50", n_t: 1, film_to: 200, film_side: "T" }],
+      ["A soap bubble", "preview", { layers: "water:330", n_t: 1, body: "clear" }],
     ],
+  },
+  {
+    id: "planes",
+    title: "Inside an absorber: two kinds of planes",
+    text: [
+      "Does light refract into a metal? It does, but it is absorbed quickly. Snell's law then holds with complex numbers, and so does the angle of refraction.",
+      "What remains real are planes. Those of **equal phase** stand across the direction in which the wave runs, and lean by $\\theta_t$ with $\\tan\\theta_t=\\sin\\theta_i/\\operatorname{Re}\\sqrt{N^2-\\sin^2\\theta_i}$. Those of **equal strength** lie parallel to the surface whatever the angle, for the light dies with depth. The two do not coincide: such a wave is called inhomogeneous.",
+      "The picture begins with a weak absorber, in which both can be seen. In a metal the field has fallen to $1/e$ before a single wavelength has passed: hence a gold leaf must be so thin.",
+    ],
+    formula: "angle.penetration_depth",
+    planes: true,
+    at: { n_t: 1.3, k_t: 0.25, deg: 55 },
+    names: ["air", "absorber"],
+    rows: { own_deg: [0, 90], own_n: [0.05, 4], own_k: [0, 8] },
+    live: ({ reading }) => {
+      const deep = reading.field_penetration_depth_wavelengths;
+      const leans = `The planes of equal phase lean by ${angle(reading.theta_t_deg, "deg", 1)}`;
+      return deep === null
+        ? `${leans}, and without absorption the wave is as strong everywhere.`
+        : `${leans}, those of equal strength not at all; ${short(deep)} wavelengths deep the field has fallen to 1/e.`;
+    },
+    tries: [
+      {
+        say: "Let the two kinds of planes coincide.",
+        done: ({ reading }) =>
+          (reading?.theta_i_deg ?? 90) < 0.5 && (reading?.interface.k_t ?? 0) > 0,
+        reply: "Straight on they do: only there the wave is homogeneous.",
+      },
+      {
+        say: "Make it gold: $n=0.27$ and $k=2.9$.",
+        done: ({ reading }) =>
+          near(reading?.interface.n_t, 0.27, 0.03) && near(reading?.interface.k_t, 2.9, 0.15),
+        reply: "A twentieth of a wavelength, 30 nanometers, and hardly a plane of phase is left.",
+      },
+    ],
+    more: [["Depths in Explore", "explore", { n_t: 0.27, k_t: 2.9, theta_i_deg: 55 }]],
   },
 ];

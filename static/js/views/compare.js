@@ -6,7 +6,7 @@ import { createNamedExamples } from "../compare/examples.js";
 import { against, compareFields, figureOf, withCode } from "../compare/fields.js";
 import { createFigure } from "../compare/figure.js";
 import { createPlots } from "../compare/plots.js";
-import { later, queries, restCalls } from "../compare/queries.js";
+import { bare, later, queries, restCalls } from "../compare/queries.js";
 import { createRecommend } from "../compare/recommend.js";
 import { createTable, errorsOf } from "../compare/table.js";
 import { short } from "../errors/metrics.js";
@@ -60,7 +60,7 @@ export function createView(context) {
     recommend.update(now, given.recommend, problem("recommend"));
     convert.update(now, given.convert, problem("convert"));
     snippets.update(now, withCode(now), fresh.shader, problem("shader"));
-    tables.update(now, withCode(now), fresh.lut, problem("lut"));
+    tables.update(bare(now), withCode(now), fresh.lut, problem("lut"));
   }
 
   return {

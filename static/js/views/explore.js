@@ -1,7 +1,15 @@
 /** Explore: the ray at the surface beside the Fresnel curves. */
 
 import { ANGLE_STEPS } from "../controls/panel.js";
-import { allLandmarksOf, axesOf, marksOf, readingAt, tracesOf } from "../curves/reading.js";
+import {
+  allLandmarksOf,
+  axesOf,
+  bandPaths,
+  bandsOf,
+  marksOf,
+  readingAt,
+  tracesOf,
+} from "../curves/reading.js";
 import { createDiagram, createSplit } from "../diagram/diagram.js";
 import { createControls } from "../explore/controls.js";
 import { createNumbers } from "../explore/numbers.js";
@@ -12,6 +20,7 @@ import { createPlot } from "../plot/plot.js";
 import {
   choice,
   chosenModels,
+  freshOf,
   list,
   mediaQuery,
   modelFields,
@@ -116,7 +125,12 @@ export function createView({
   let now = null;
   /** @type {any} */
   let answers = {};
-  let drawn = { curves: /** @type {unknown} */ (null), look: "", settled: false };
+  let drawn = {
+    curves: /** @type {unknown} */ (null),
+    band: /** @type {unknown} */ (null),
+    look: "",
+    settled: false,
+  };
 
   const landmarks = () => (answers.curves ? allLandmarksOf(answers.curves.interface) : []);
   const stops = () => (now?.marks === "on" ? landmarks() : []);
@@ -192,18 +206,19 @@ export function createView({
       shown.models,
       shown.marks,
     ]);
-    const changed = drawn.curves !== answers.curves;
+    const { band } = freshOf(answers, bandPaths(now, catalog));
+    const changed = drawn.curves !== answers.curves || drawn.band !== band;
     if (!changed && look === drawn.look && (drawn.settled || moving)) return;
     const traces = tracesOf(answers.curves, shown, catalog.models);
     const marks = marksOf(answers.curves, shown);
     if (moving && look === drawn.look) {
       plot.fast(traces, marks);
-      drawn = { curves: answers.curves, look, settled: false };
+      drawn = { ...drawn, curves: answers.curves, look, settled: false };
       return;
     }
     if (look !== drawn.look) plot.axes(axesOf(shown));
-    plot.draw(traces, marks);
-    drawn = { curves: answers.curves, look, settled: true };
+    plot.draw(traces, marks, bandsOf(band, shown.angle));
+    drawn = { curves: answers.curves, band, look, settled: true };
     tables.fill();
   }
 
@@ -308,12 +323,13 @@ export function queries(state, catalog) {
 }
 
 /**
- * White light is asked for when the light of one wavelength is drawn.
+ * White light is asked for when the light of one wavelength is drawn, and the band of an index that is
+ * a range when the curves of its middle are.
  * @param {State} state
  * @param {Catalog} catalog
  */
-export function later(state, { materials }) {
-  return spreadPaths(state, materials);
+export function later(state, catalog) {
+  return { ...spreadPaths(state, catalog.materials), ...bandPaths(state, catalog) };
 }
 
 /**

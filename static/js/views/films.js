@@ -6,7 +6,7 @@ import { createBeside } from "../films/beside.js";
 import { createControls } from "../films/controls.js";
 import { createCurves } from "../films/curves.js";
 import { EXAMPLES, isShown, stateOf } from "../films/examples.js";
-import { filmFields, wavelengthOf } from "../films/fields.js";
+import { filled, filmFields, isAskedFor, wavelengthOf } from "../films/fields.js";
 import { createNumbers } from "../films/numbers.js";
 import { createDrawing } from "../layers/drawing.js";
 import { placeOf, readLayers, withThickness } from "../layers/layers.js";
@@ -14,6 +14,7 @@ import { brightening, createMap, FITS_TO } from "../layers/map.js";
 import { percent, plain } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
 import { h, setText } from "../page/dom.js";
+import { pageLink } from "../page/links.js";
 import { loadStyle } from "../page/style.js";
 import { createProblems, createTrouble } from "../page/trouble.js";
 
@@ -22,8 +23,24 @@ export const fields = filmFields;
 
 await Promise.all(["heatmap", "films"].map((name) => loadStyle(`css/${name}.css`)));
 
-/** @param {ViewContext} context */
-export function createView(context) {
+/** What shows the films on a ball, a shortcut beside them if there is one. @param {State} now */
+function ballOf(now) {
+  const { layers, incident, material, n_i, n_t, k_t } = now;
+  const { wanted } = isAskedFor(now);
+  return {
+    layers,
+    incident,
+    material,
+    ...(incident === null && { n_i }),
+    ...(material === null && { n_t, k_t }),
+    ...(wanted && { right: `film.${now.film_model}` }),
+    ...(material === null && k_t === 0 && { body: "clear" }),
+  };
+}
+
+/** @param {ViewContext} page */
+export function createView(page) {
+  const context = { ...page, state: () => filled(page.state()) };
   const { element, state, actions } = context;
   const controls = createControls(context);
   const examples = createExamples({
@@ -53,6 +70,8 @@ export function createView(context) {
   const numbers = createNumbers();
   const said = h("p.hint");
   const warned = h("p.hint");
+  const onBall = h("p.exports");
+  const newBall = createChanged();
   const mapTrouble = h("p.row-error", { role: "alert" });
   element.append(
     controls.element,
@@ -70,7 +89,7 @@ export function createView(context) {
     h(
       "section.column.film-colors",
       { "aria-label": "Colors" },
-      h("div.heading", h("h2", "Colors over thickness and angle")),
+      h("div.heading", h("h2", "Colors over thickness and angle"), onBall),
       mapTrouble,
       map.element,
       said,
@@ -140,6 +159,9 @@ export function createView(context) {
     showColors(now, layers[place]?.nm ?? 0, moving);
     if (moving) return;
     examples.update(now);
+    const ball = ballOf(now);
+    if (newBall(JSON.stringify(ball)))
+      onBall.replaceChildren(pageLink("On a ball, in Preview", "preview", ball));
     numbers.update(now, given);
     const problem = ["spectrum", "curves", "here"]
       .map((name) => problems.of(name, given))
@@ -153,7 +175,7 @@ export function createView(context) {
     /** @param {State} now @param {Record<string, any>} answers @param {boolean} moving */
     update(now, answers, moving) {
       given = answers;
-      show(now, moving);
+      show(filled(now), moving);
     },
 
     /** @param {State} now @param {Record<string, any>} answers */

@@ -9,7 +9,17 @@ import { html, render } from "../page/lit.js";
 import { loadStyle } from "../page/style.js";
 import { createControls } from "../preview/controls.js";
 import { EXAMPLES, isShown } from "../preview/examples.js";
-import { BOUNDS, NONE, previewFields, putRight, SEEN, sided } from "../preview/fields.js";
+import {
+  BOUNDS,
+  isFilmed,
+  isShortcut,
+  NONE,
+  previewFields,
+  putRight,
+  SEEN,
+  SHORTCUT,
+  sided,
+} from "../preview/fields.js";
 import { queries } from "../preview/queries.js";
 import { createSides } from "../preview/sides.js";
 import { createStage } from "../preview/stage.js";
@@ -67,6 +77,8 @@ export function createView(given) {
     onSettle: actions.settle,
   });
 
+  /** @type {{id: string, title: string}[]} for films, once the server has told them */
+  let shortcuts = [];
   /** @type {Difference | null} of the picture at hand, once it is measured */
   let measured = null;
   /** @type {Difference | null} the last that was */
@@ -132,8 +144,13 @@ export function createView(given) {
   /** @param {State} now @param {'left' | 'right'} side */
   function label(now, side) {
     const id = now[side];
-    const model = catalog.models.find((m) => m.id === id);
-    const title = id === NONE ? "no reflection" : model?.title.replace(/\s*\(.*\)$/, "");
+    const named = isShortcut(id)
+      ? shortcuts.find((m) => `${SHORTCUT}${m.id}` === id)
+      : catalog.models.find((m) => m.id === id);
+    const film = id === "exact" ? ", film" : ", no film";
+    const filmed = isFilmed(now) && !isShortcut(id) ? film : "";
+    const title =
+      id === NONE ? "no reflection" : named && named.title.replace(/\s*\(.*\)$/, "") + filmed;
     /** @type {Record<string, string>} */
     const by = { pixel: "", vertex: ", per vertex", texture: `, ${now.texels} texels` };
     return (title ?? id) + by[now[`${side}_by`]];
@@ -149,9 +166,11 @@ export function createView(given) {
       if (!moving) takeaway.update(answers);
       // Code and tables arrive later, and change nothing in the picture.
       const parts = Object.keys(queries(now, catalog)).map((name) => answers[name]);
-      if (!changed(next, moving, ...parts)) return;
+      shortcuts = answers.shortcuts?.models ?? shortcuts;
+      if (!changed(next, moving, shortcuts, ...parts)) return;
       sides.take(answers);
-      controls.update(now, { left: sides.reason(now, "left"), right: sides.reason(now, "right") });
+      const reasons = { left: sides.reason(now, "left"), right: sides.reason(now, "right") };
+      controls.update(now, reasons, isFilmed(now) ? shortcuts : []);
       examples.update(now);
       choices.update(now);
       gain.update(now.gain);

@@ -39,7 +39,7 @@ const MAKERS = {
       key: "step",
       title: "First path",
       intro:
-        "Eleven steps from a pond to gold leaf, each with a picture to touch. No mathematics is needed to begin.",
+        "Twelve steps from a pond to gold leaf, each with a picture to touch. No mathematics is needed to begin.",
     }),
   traps: async (context) =>
     createLessons({
