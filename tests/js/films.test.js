@@ -10,6 +10,7 @@ import {
   printLayers,
   readLayers,
   roundAbove,
+  shortMedium,
   thicknessText,
   withThickness,
 } from "../../static/js/layers/layers.js";
@@ -19,6 +20,9 @@ test("layers are read as links write them, and written the same", () => {
   for (const text of ["1.38:99.6", "0.055+3.32i:30,BK7:3000000:incoherent", "own:ab1:5,1.5:0"])
     assert.equal(printLayers(readLayers(text) ?? []), text);
   assert.deepEqual(readLayers("own:ab1:5"), [{ medium: "own:ab1", nm: 5, incoherent: false }]);
+  assert.equal(readLayers("rii:main/Ag/Johnson:20")?.[0]?.medium, "rii:main/Ag/Johnson");
+  const shown = ["MgF2-o", "own:ab1", "rii:main/Ag/Johnson"].map(shortMedium);
+  assert.deepEqual(shown, ["MgF2-o", "your own", "Ag/Johnson"]);
   for (const text of ["", "MgF2", "MgF2:", ":5", "MgF2:-1", "MgF2:1e10", "MgF2:5,", "MgF2:5:thick"])
     assert.equal(readLayers(text), null, text);
 });

@@ -116,6 +116,9 @@ test("rivals are all other measurements of a material, whichever is shown", () =
   assert.deepEqual(rivalsOf(CATALOG, "Au"), ["Au-Johnson", "Au-Babar"]);
   assert.deepEqual(rivalsOf(CATALOG, "Au-Babar"), ["Au", "Au-Johnson"]);
   assert.deepEqual(rivalsOf(CATALOG, "water"), []);
+  // Of another that is set beside it, that one too.
+  assert.deepEqual(rivalsOf(CATALOG, "water", "Au-Babar"), ["Au", "Au-Johnson", "Au-Babar"]);
+  assert.deepEqual(rivalsOf(CATALOG, "Au", "Au-Babar"), ["Au-Johnson", "Au-Babar"]);
   assert.equal(shortName(CATALOG.materials[1]), "Johnson");
   assert.equal(shortName(preset("x", { name: "Moissanite (6H-SiC)" })), "Moissanite (6H-SiC)");
 });

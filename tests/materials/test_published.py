@@ -19,6 +19,7 @@ from app.materials.errors import UnknownMaterial, WavelengthOutOfRange
 from app.materials.published.files import database_directory, page_bytes
 from app.materials.published.index import ListedPage, default_pages
 from app.materials.published.material import published_preset, published_spectrum
+from app.materials.schema import Points
 
 ROOT = Path(__file__).parents[2]
 CHUNKS = 12
@@ -218,6 +219,13 @@ def test_a_transmission_of_12_is_no_k() -> None:
     spectrum = published_spectrum("rii:specs/HIKARI-optical/LAK09")
     assert spectrum.k_range_nm is None
     assert "k = -1.3842e-05 in line 35: left out" in spectrum.file.warnings
+
+
+def test_no_page_amplifies() -> None:
+    for page in default_pages().all[::7]:
+        if page.refused is None and page.k_range_nm is not None:
+            k = published_spectrum(page.id).file.k
+            assert not isinstance(k, Points) or min(k.values) >= 0.0
 
 
 def test_what_n_is_relative_to_changes_what_is_computed(routes: RouteTable) -> None:

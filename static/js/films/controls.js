@@ -13,10 +13,12 @@ import {
   placeOf,
   printLayers,
   readLayers,
+  shortMedium,
   THICKEST,
   thicknessText,
   withThickness,
 } from "../layers/layers.js";
+import { become, findPages, isPage } from "../media/brought.js";
 import { createInterface } from "../media/media.js";
 import { angle } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
@@ -28,6 +30,7 @@ import { QUANTITIES } from "./fields.js";
 /** @typedef {import('../layers/layers.js').Layer} Layer */
 
 const MOST_VOLTS = 120;
+const PAUSE = 300; // ms after a key until pages are searched
 
 /** @param {ViewContext} context */
 export function createControls({ catalog, presets, state, actions, describeMedia }) {
@@ -100,18 +103,53 @@ export function createControls({ catalog, presets, state, actions, describeMedia
     autocomplete: "off",
     spellcheck: "false",
     "aria-label": "Medium of the layer: a material or an index",
+    oninput: () => offerPages(),
     onchange() {
       const typed = medium.value.trim();
       if (!typed || /[,]/u.test(typed) || !readLayers(`${typed}:1`)) medium.value = shownMedium;
-      else
-        edit((layers, place) => {
-          const old = /** @type {Layer} */ (layers[place]);
-          layers[place] = { ...old, medium: typed };
-          return [layers, place];
-        });
+      else void make(typed);
     },
   });
   let shownMedium = "";
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let offering;
+
+  /** Pages of refractiveindex.info below the presets, once somebody types. */
+  function offerPages() {
+    clearTimeout(offering);
+    const text = medium.value.trim();
+    if (text === "" || Number(text) > 0 || isPage(text)) return;
+    offering = setTimeout(async () => {
+      const known = new Set([...names.options].map(({ value }) => value));
+      const found = await findPages(text).catch(() => []);
+      for (const { id, name } of found)
+        if (!known.has(id)) names.append(h("option", { value: id }, name));
+    }, PAUSE);
+  }
+
+  /** The layer at hand of another medium, which is made known where the page does not start with it. @param {string} id */
+  async function make(id) {
+    if (isPage(id)) await become(catalog.materials, id).catch(() => {}); // what is wrong is the server's to say
+    edit((layers, place) => {
+      const old = /** @type {Layer} */ (layers[place]);
+      layers[place] = { ...old, medium: id };
+      return [layers, place];
+    });
+  }
+
+  /** @param {Event} event of the sheet */
+  const ownComes = (event) => void make(/** @type {CustomEvent<string>} */ (event).detail);
+  const bring = h(
+    "button.quiet",
+    {
+      type: "button",
+      onclick() {
+        window.addEventListener("ownlayer", ownComes, { once: true });
+        window.dispatchEvent(new CustomEvent("ownmaterial", { detail: "layer" }));
+      },
+    },
+    "your own…",
+  );
   const incoherent = h("input", {
     type: "checkbox",
     onchange: () =>
@@ -169,7 +207,7 @@ export function createControls({ catalog, presets, state, actions, describeMedia
       "div.film-layer",
       source,
       h("label.film-thick", incoherent, h("span", "thick: no interference")),
-      h("div.film-edit", { role: "group", "aria-label": "This layer" }, up, add, remove),
+      h("div.film-edit", { role: "group", "aria-label": "This layer" }, up, add, remove, bring),
     ),
     h("div.heading", h("h2", "Media")),
     media.element,
@@ -227,7 +265,7 @@ export function createControls({ catalog, presets, state, actions, describeMedia
               type="button"
               aria-pressed=${i === place}
               @click=${() => actions.set({ film_layer: i + 1 })}
-            >${each.medium} <b>${thicknessText(each.nm)}</b></button>`,
+            >${shortMedium(each.medium)} <b>${thicknessText(each.nm)}</b></button>`,
           ),
           listed,
         );

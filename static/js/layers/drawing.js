@@ -7,7 +7,7 @@ import { onResize } from "../draw/resized.js";
 import { put, px, show, svg } from "../draw/svg.js";
 import { angle, percent, plain } from "../numbers/format.js";
 import { h, setText } from "../page/dom.js";
-import { readLayers, roundAbove, THICKEST, thicknessText } from "./layers.js";
+import { readLayers, roundAbove, shortMedium, THICKEST, thicknessText } from "./layers.js";
 
 /** @typedef {import('./layers.js').Layer} Layer */
 
@@ -201,7 +201,7 @@ export function createDrawing(onMove, onSettle) {
       part.handle.style.transform = `translateY(${px(end)}px)`;
       part.handle.hidden = layer.incoherent;
       part.handle.toggleAttribute("data-chosen", now.film_layer === i + 1 && layers.length > 1);
-      const label = `${layer.medium}, ${thicknessText(layer.nm)}`;
+      const label = `${shortMedium(layer.medium)}, ${thicknessText(layer.nm)}`;
       put(part.handle, "aria-label", `Thickness of layer ${i + 1}`);
       put(part.handle, "aria-valuenow", layer.nm);
       put(part.handle, "aria-valuetext", label);

@@ -24,6 +24,12 @@ export function readLayers(text) {
   return layers.length === parts.length && layers.length <= MOST_LAYERS ? layers : null;
 }
 
+/** A medium as labels have it: an id that is long in few letters. @param {string} medium */
+export function shortMedium(medium) {
+  if (medium.startsWith("own:")) return "your own";
+  return medium.startsWith("rii:") ? medium.split("/").slice(1).join("/") : medium;
+}
+
 /** @param {Layer} layer */
 const ending = ({ incoherent }) => (incoherent ? ":incoherent" : "");
 

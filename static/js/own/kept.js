@@ -1,10 +1,12 @@
 /** Materials of one's own: rows of the catalog whose id is their data, kept in this browser. */
 
-import { add, isPage, rowOf } from "../media/brought.js";
+import { add, rowOf } from "../media/brought.js";
 
 const PLACE = "own-materials";
 const MOST_KEPT = 40;
 const OWN = "own:";
+/** Ids in a link, in `layers` with thicknesses after them. */
+const BROUGHT = /own:[\w-]+|rii:[^:,]+/g;
 
 /** @param {string} text whether an id is that of a material of one's own */
 export const isOwn = (text) => text.startsWith(OWN);
@@ -49,7 +51,9 @@ export function forget(id) {
  */
 export async function bring({ materials }, search) {
   for (const row of keptRows()) add(materials, row);
-  const linked = [...new URLSearchParams(search).values()].filter((id) => isOwn(id) || isPage(id));
+  const linked = [...new URLSearchParams(search).values()].flatMap(
+    (text) => text.match(BROUGHT) ?? [],
+  );
   const rows = await Promise.allSettled(
     [...new Set(linked)].filter((id) => !materials.some((m) => m.id === id)).map(rowOf),
   );

@@ -37,7 +37,7 @@ export function prepare() {
 
 /**
  * @param {OwnOptions} options
- * @param {{files?: File[], side?: "incident" | "material"}} [given]
+ * @param {{files?: File[], side?: OwnGiven["side"]}} [given]
  */
 export async function openSheet({ catalog, set, say }, { files = [], side = "material" } = {}) {
   await prepare();
@@ -79,7 +79,7 @@ export async function openSheet({ catalog, set, say }, { files = [], side = "mat
     void read();
   }
 
-  /** @param {"incident" | "material" | null} place */
+  /** @param {OwnGiven["side"] | null} place */
   async function use(place) {
     const { material, name } = answer;
     try {
@@ -90,7 +90,8 @@ export async function openSheet({ catalog, set, say }, { files = [], side = "mat
       return;
     }
     close();
-    if (place) set({ [place]: material });
+    if (place === "layer") window.dispatchEvent(new CustomEvent("ownlayer", { detail: material }));
+    else if (place) set({ [place]: material });
     else follow(addressOf("materials", { preset: material }));
     say(`${name} is a medium now`);
   }
@@ -147,9 +148,14 @@ export async function openSheet({ catalog, set, say }, { files = [], side = "mat
       }
       <p class="uses">
         ${
+          side === "layer"
+            ? html`<button type="button" class="main" @click=${() => use("layer")}>Use as the layer</button>`
+            : nothing
+        }
+        ${
           side === "incident" && clear
             ? html`<button type="button" class="main" @click=${() => use("incident")}>Use as incident medium</button>`
-            : html`<button type="button" class="main" @click=${() => use("material")}>Use as second medium</button>`
+            : html`<button type="button" class=${side === "layer" ? "" : "main"} @click=${() => use("material")}>Use as second medium</button>`
         }
         <button type="button" @click=${() => use(null)}>Open in Materials</button>
       </p>

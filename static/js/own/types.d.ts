@@ -2,7 +2,7 @@
 interface OwnGiven {
   files?: File[];
   /** Where it is wanted. */
-  side?: "incident" | "material";
+  side?: "incident" | "material" | "layer";
 }
 
 interface OwnOptions {
