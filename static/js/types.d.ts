@@ -50,8 +50,7 @@ interface Material {
   kind: string;
   rival_of: string | null;
   n_range_nm: [number, number] | null;
-  /** where its source gives n from one value to another */
-  n_min?: number | null;
+  /** the largest, where its source gives n from one value to another */
   n_max?: number | null;
   aliases?: string[];
   source?: string;

@@ -2,7 +2,6 @@
 
 import { modelTraces } from "../models/look.js";
 import { inUnit } from "../numbers/format.js";
-import { mediaQuery, path } from "../state/state.js";
 
 /**
  * @param {Curves} curves
@@ -269,26 +268,6 @@ export function axesOf(shown) {
         }
       : null,
   };
-}
-
-/**
- * What asks for the band of R where the source of the second medium gives n from one value to another.
- * @param {State} state
- * @param {Catalog} catalog
- * @returns {Record<string, string>}
- */
-export function bandPaths(state, catalog) {
-  const { id, n_max } = catalog.materials.find((m) => m.id === state.material) ?? {};
-  const media = [...mediaQuery(state, catalog, ["n_i"]), `material=${id}`];
-  return n_max ? { band: path("/curves", [...media, "band=true"]) } : {};
-}
-
-/** @param {any} answer to that, if there is one @param {"deg" | "rad"} unit @returns {Band[]} */
-export function bandsOf(answer, unit) {
-  if (!answer) return [];
-  const [low = [], high = []] = ["R_minimum", "R_maximum"].map((q) => values(answer, q));
-  const x = answer.theta_i_deg.map((/** @type {number} */ deg) => inUnit(deg, unit));
-  return [{ id: "range", x, low, high, color: "--R" }];
 }
 
 /** What curves are at a place. @param {readonly {id: string, x: number[], y: (number | null)[]}[]} traces @param {number} x */

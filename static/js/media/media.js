@@ -136,6 +136,17 @@ export function createConstants({ materials, onChange, onProblem, query }) {
   };
 }
 
+/**
+ * What asks for the band of R where the source of the second medium gives n from one value to another.
+ * @param {State} state
+ * @param {Catalog} catalog
+ * @returns {Record<string, string>}
+ */
+export function bandPaths({ material, n_i }, { materials }) {
+  const ranged = materials.find((m) => m.id === material)?.n_max;
+  return ranged ? { band: `/curves?n_i=${n_i}&material=${material}&band=true` } : {};
+}
+
 /** From violet to red, in nm. */
 const COLORS = [400, 450, 500, 550, 600, 650, 700];
 const SAMPLES = 361;

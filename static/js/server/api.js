@@ -147,7 +147,7 @@ export function startWorker() {
 export const CATALOG_PATHS = [
   "/parameters",
   "/models?fields=id,title,kind,applies_to,parameters,takes_color,validity,look",
-  "/materials?fields=id,name,category,n,n_absolute,k,wavelength_nm,kind,rival_of,n_range_nm,n_min,n_max",
+  "/materials?fields=id,name,category,n,n_absolute,k,wavelength_nm,kind,rival_of,n_range_nm,n_max",
 ];
 
 /** The short table that everybody knows comes first. @param {Material[]} materials */
