@@ -1,7 +1,9 @@
 /** The overlaid curves and, below them on the same axis of angles, their errors. */
 
-import { angleAxis, bandPaths, bandsOf, landmarksOf, locate, read } from "../curves/reading.js";
+import { bandsOf } from "../curves/band.js";
+import { angleAxis, landmarksOf, locate, read } from "../curves/reading.js";
 import { curveTraces, distinct, errorRange, errorTraces, takenTraces } from "../errors/traces.js";
+import { bandPaths } from "../media/media.js";
 import { clamp, inDegrees, inUnit } from "../numbers/format.js";
 import { traceUid } from "../plot/figure.js";
 import { createPair } from "../plot/pair.js";

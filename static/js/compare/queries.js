@@ -1,6 +1,6 @@
 /** What the Compare view asks the server for. */
 
-import { bandPaths } from "../curves/reading.js";
+import { bandPaths } from "../media/media.js";
 import { mediaQuery, parameterQuery, path } from "../state/state.js";
 import { codeOf, lutPath, snippetPath } from "../takeaway/fields.js";
 import { convertPath } from "./conversions.js";

@@ -1,19 +1,11 @@
 /** Explore: the ray at the surface beside the Fresnel curves. */
 
 import { ANGLE_STEPS } from "../controls/panel.js";
-import {
-  allLandmarksOf,
-  axesOf,
-  bandPaths,
-  bandsOf,
-  marksOf,
-  readingAt,
-  tracesOf,
-} from "../curves/reading.js";
+import { allLandmarksOf, axesOf, marksOf, readingAt, tracesOf } from "../curves/reading.js";
 import { createDiagram, createSplit } from "../diagram/diagram.js";
 import { createControls } from "../explore/controls.js";
 import { createNumbers } from "../explore/numbers.js";
-import { knownAs, spreadPaths } from "../media/media.js";
+import { bandPaths, knownAs, spreadPaths } from "../media/media.js";
 import { angle, clamp, inDegrees, inUnit, percent, snap, stepped } from "../numbers/format.js";
 import { createDataTables, createExports, h } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
@@ -217,8 +209,12 @@ export function createView({
       return;
     }
     if (look !== drawn.look) plot.axes(axesOf(shown));
-    plot.draw(traces, marks, bandsOf(band, shown.angle));
+    plot.draw(traces, marks);
     drawn = { curves: answers.curves, band, look, settled: true };
+    if (band)
+      import("../curves/band.js").then(({ bandsOf }) =>
+        plot.draw(traces, marks, bandsOf(band, shown.angle)),
+      );
     tables.fill();
   }
 
