@@ -1,11 +1,13 @@
 """Pages of refractiveindex.info in lists of media and in Materials, and one's own beside others."""
 
 import re
+from pathlib import Path
 
 from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.explore_page import opened
 
+AXE = Path(__file__).parents[2] / "node_modules" / "axe-core" / "axe.min.js"
 KEPT = """async () => {
   const data = new DataTransfer();
   data.items.add(new File(["nm,n,k\\n400,1.5,2.0\\n700,0.3,4.0\\n"], "film.csv"));
@@ -97,3 +99,39 @@ def test_one_s_own_is_listed_and_has_another_s_band_beside_it(quiet_page: Page) 
     expect(page.locator(".browser-head .count")).to_contain_text("1 of yours")
     page.get_by_role("button", name="alone", exact=True).click()
     expect(page.locator(".sheet.spectrum")).not_to_contain_text("in the band")
+
+
+def test_a_layer_is_a_page_or_one_s_own(quiet_page: Page) -> None:
+    page = quiet_page
+    page.goto("/?view=films")
+    medium = page.get_by_label("Medium of the layer")
+    medium.fill("silver johnson")
+    expect(page.locator('#film-media option[value="rii:main/Ag/Johnson"]')).to_be_attached()
+    medium.fill("rii:main/Ag/Johnson")
+    medium.press("Enter")
+    expect(page).to_have_url(re.compile("layers=rii%3Amain%2FAg%2FJohnson%3A"))
+    expect(page.locator(".film-list button").first).to_contain_text("Ag/Johnson")
+    page.get_by_role("button", name="your own…").click()
+    sheet = page.get_by_role("dialog", name="Your own material")
+    pasted = sheet.get_by_label("or a table, pasted")
+    pasted.fill("nm,n,k\n400,1.5,0.1\n800,1.4,0.1\n")
+    pasted.press("Tab")
+    sheet.get_by_role("button", name="Use as the layer").click()
+    expect(page).to_have_url(re.compile("layers=own%3A"))
+    expect(page.locator(".film-list button").first).to_contain_text("your own")
+
+
+def test_axe_finds_nothing_in_lists_with_pages(quiet_page: Page) -> None:
+    page = quiet_page
+    page.goto("/?view=materials&find=AgGaSe2&preset=rii:main/AgGaSe2/Kato-o&beside=Au")
+    page.get_by_text("One more page fits").click()
+    expect(page.locator(".sheet.spectrum")).to_contain_text("Dotted: Gold")
+    page.evaluate(AXE.read_text("utf-8"))
+    found = page.evaluate("() => axe.run('.view-materials')")
+    assert [one["id"] for one in found["violations"]] == []
+    beside = page.get_by_label("Another material beside it")
+    beside.click()
+    beside.fill("ice")
+    expect(page.locator(".media-list")).to_contain_text("main/H2O/Warren-2008")
+    found = page.evaluate("() => axe.run('.beside-row')")
+    assert [one["id"] for one in found["violations"]] == []

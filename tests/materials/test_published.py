@@ -4,6 +4,7 @@ import json
 import re
 from bisect import bisect_left
 from collections.abc import Iterator
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -16,9 +17,9 @@ from app.api.snell import router
 from app.api.table import RouteTable
 from app.materials.catalog import Catalog
 from app.materials.errors import UnknownMaterial, WavelengthOutOfRange
-from app.materials.published.files import database_directory, page_bytes
+from app.materials.published.files import PACKAGE, database_directory, page_bytes
 from app.materials.published.index import ListedPage, default_pages
-from app.materials.published.material import published_preset, published_spectrum
+from app.materials.published.material import RELEASE, published_preset, published_spectrum
 from app.materials.schema import Points
 
 ROOT = Path(__file__).parents[2]
@@ -145,6 +146,11 @@ def test_the_list_has_every_file_of_the_database() -> None:
     there = {path.relative_to(data).as_posix() for path in data.glob("**/*.yml")}
     assert listed == {file for file in there if "/n2/" not in file and "about.yml" not in file}
     assert len(listed) == len(default_pages().all) == PAGES
+
+
+def test_the_release_is_that_of_the_catalog(catalog: Catalog) -> None:
+    assert catalog.database.tag == RELEASE
+    assert catalog.database.package == f"{PACKAGE} {version(PACKAGE)}"
 
 
 def test_refused_pages_say_why(catalog: Catalog) -> None:
