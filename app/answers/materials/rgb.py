@@ -12,6 +12,7 @@ from app.answers.curves import COLORS
 from app.answers.materials.about import Rgb
 from app.answers.materials.detail import Seen
 from app.materials.appearance import Viewing, appearance, averaged_interface, color_curve
+from app.materials.rgb_models import color_arguments, color_given, rgb_title
 from app.materials.spectrum import Spectrum
 from app.optics.color import Gamut
 from app.optics.hemisphere import hemisphere
@@ -121,7 +122,6 @@ def rgb_curves(
     truth_at_nodes = color_curve(spectrum, at_nodes, n_i, viewing).T
     color = appearance(spectrum, n_i, viewing)
     shown = color.of_white().within(gamut)
-    colors = {"F0": shown.F0, "F82": shown.F82, "tint": shown.F82_tint}
     averaged = averaged_interface(spectrum, n_i, viewing)
     white = color.white[:, np.newaxis]
     curves = [
@@ -134,14 +134,8 @@ def rgb_curves(
         )
     ]
     for model in models:
-        given = {p.name: colors[p.name] for p in model.parameters if p.name in colors}
-        arguments = {
-            p.name: given[p.name][:, np.newaxis] if p.name in given else np.asarray(p.default)
-            for p in model.parameters
-        }
-        title = model.title
+        given, arguments = color_given(model, shown), color_arguments(model, shown)
         if model.id == "exact":
-            title = "Exact, from n and k averaged"
             constants = {"n_i": averaged.n_i, "n": averaged.n_t, "k": averaged.k_t}
             given = {name: value.ravel() for name, value in constants.items()}
         # Not `model(...)`, which refuses the unclamped F0 above 1 that gold has in red.
@@ -160,7 +154,7 @@ def rgb_curves(
         curves.append(
             RgbCurve(
                 model=model.id,
-                title=title,
+                title=rgb_title(model),
                 inputs=given,
                 **_channels(white * model.evaluate(averaged, incidence, arguments)),
                 errors=ChannelErrors(red=red, green=green, blue=blue),

@@ -22,6 +22,7 @@ from app.http.problems import BadParameters, ParameterError
 from app.http.query import Count, DigitsQuery, Number, QueryModel, TableQuery
 from app.materials.appearance import Viewing
 from app.materials.front import Front
+from app.materials.rgb_models import has_rgb_form
 from app.materials.schema import Category
 from app.optics.color import Adaptation, Gamut, Illuminant, Observer, Space
 from app.optics.errors import NotAllowed
@@ -244,9 +245,9 @@ class RgbQuery(ColorQuery):
             raise BadParameters(*errors)
         models = each_once(self.models, registry.find)
         for model in models:
-            if model.id != "exact" and not model.takes_color:
-                able = [m.id for m in registry.values() if m.takes_color]
-                raise NotAllowed("models", model.id, f"one of {', '.join(('exact', *able))}")
+            if not has_rgb_form(model):
+                able = [m.id for m in registry.values() if has_rgb_form(m)]
+                raise NotAllowed("models", model.id, f"one of {', '.join(able)}")
         return models if self.rgb else None
 
 
