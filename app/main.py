@@ -19,6 +19,7 @@ from app import __version__
 from app.api import (
     PREFIX,
     albedo,
+    atlas,
     benchmarks,
     claims,
     convert,
@@ -198,6 +199,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         shaders.router(registry),
         lut.router(registry),
         engines.router(registry),
+        atlas.router(registry),
         formulas.router(registry),
         mystery.router(),
         evaluate.router(registry, pool, settings.max_body_bytes),

@@ -9,6 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
+from app.answers.atlas import which_formula
+from app.answers.atlas_shares import KindShare
+from app.atlas.pages import Kind
+from app.atlas.published import Metric
 from app.main import create_app
 from app.optics.registry import Measured, Model, default_registry
 from app.settings import Settings
@@ -57,6 +61,41 @@ def approximations() -> str:
     return table(("id", "name", "for", "parameters", "largest error, measured"), rows)
 
 
+def atlas() -> str:
+    """Count the materials of the atlas at which the error of each approximation is small."""
+    columns: tuple[tuple[str, Kind, Metric, float], ...] = (
+        ("clear, 1 %", "clear", "max_abs", 0.01),
+        ("clear, 5 %", "clear", "max_abs", 0.05),
+        ("metals, 1 %", "metal", "max_abs", 0.01),
+        ("metals, 5 %", "metal", "max_abs", 0.05),
+        ("metals, ΔE 1", "metal", "delta_e", 1.0),
+    )
+    registry = default_registry()
+    shares = [
+        {
+            share.model: one
+            for share in which_formula(
+                registry, registry["schlick"], metric=metric, within=within, kind=kind
+            ).models
+            for one in share.kinds
+        }
+        for _, kind, metric, within in columns
+    ]
+    rows = [
+        (
+            f"`{m.id}`",
+            *(f"{o[m.id].within:,} of {o[m.id].materials:,}" if m.id in o else "" for o in shares),
+        )
+        for m in registry.values()
+        if m.kind == "approximation" and not m.trap
+    ]
+    return table(("id", *(title for title, *_ in columns)), rows)
+
+
+def _counted(share: KindShare | None) -> str:
+    return "" if share is None else f"{share.within:,} of {share.materials:,}"
+
+
 def routes() -> str:
     """List every route of the API with its summary."""
     paths = create_app().openapi()["paths"]
@@ -86,6 +125,7 @@ PARTS = {
     "routes": routes,
     "exact-forms": exact_forms,
     "approximations": approximations,
+    "atlas": atlas,
     "settings": settings,
 }
 

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import importlib.util
-import signal
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
-from types import FrameType
 from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 import typer
 from pydantic import ValidationError
+
+from app.cli.running import ended_by_signals, require
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -73,9 +71,9 @@ def evaluate(
     A row that is wrong does not keep the others from their answers: it is told on standard error with
     its line, and the command ends with status 1.
     """
-    _require("pyarrow", "arrow")
+    require("pyarrow", "arrow")
     if scheduler is not None:
-        _require("distributed", "cluster")
+        require("distributed", "cluster")
     from app.batch.arrow import WrongColumn
     from app.batch.files import SUFFIXES, FileFault, RowsFile, added, in_order, writing
 
@@ -91,7 +89,7 @@ def evaluate(
             typer.echo(sentence, err=True)
         is_parquet = file.suffix == ".parquet"
         with (
-            _ended_by_signals(),
+            ended_by_signals(),
             _Progress(rows.total, "row" if is_parquet else "line") as shown,
             writing(output, added(rows.schema)) as writer,
         ):
@@ -127,31 +125,6 @@ def evaluate(
 
 class _Wrong(Exception):
     """A row that is wrong although none may be."""
-
-
-@contextmanager
-def _ended_by_signals() -> Iterator[None]:
-    """End by what SIGTERM and SIGHUP ask for as by an error, so that nothing half done stays."""
-
-    def end(number: int, _: FrameType | None) -> None:
-        raise SystemExit(128 + number)
-
-    asked = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
-    # What is ignored, as SIGHUP is below nohup, stays so.
-    taken = [number for number in asked if signal.getsignal(number) == signal.SIG_DFL]
-    for number in taken:
-        signal.signal(number, end)
-    try:
-        yield
-    finally:
-        for number in taken:
-            signal.signal(number, signal.SIG_DFL)
-
-
-def _require(package: str, extra: str) -> None:
-    if importlib.util.find_spec(package) is None:
-        typer.echo(f"this needs {package}: pip install 'fresnel-explorer[{extra}]'", err=True)
-        raise typer.Exit(1)
 
 
 class _Progress:

@@ -8,6 +8,7 @@ from pydantic import ValidationError
 
 from app import __version__
 from app.cli import queries
+from app.cli.atlas import atlas
 from app.cli.evaluate import evaluate
 from app.server import run
 from app.settings import PREFIX, Settings, without_effect
@@ -74,6 +75,7 @@ def serve(
 
 
 cli.command()(evaluate)
+cli.command()(atlas)
 
 
 def main() -> None:

@@ -15,12 +15,14 @@ LAYERS = {
     "app.optics": set(),
     "app.materials": {"app.optics"},
     "app.engines": {"app.materials", "app.optics"},
+    "app.atlas": {"app.materials", "app.optics"},
     "app.export": {"app.materials", "app.optics"},
     "app.snippets": {"app.optics"},
     "app.claims": {"app.answers", "app.optics"},
-    "app.batch": {"app.materials", "app.optics"},
+    "app.batch": {"app.atlas", "app.materials", "app.optics"},
     "app.figures": {"app.answers", "app.materials", "app.optics"},
     "app.answers": {
+        "app.atlas",
         "app.engines",
         "app.export",
         "app.materials",
@@ -32,6 +34,7 @@ LAYERS = {
     "app.http": {"app.answers", "app.optics", "app.server.pool"},
     "app.api": {
         "app.answers",
+        "app.atlas",
         "app.batch",
         "app.claims",
         "app.engines",
@@ -50,6 +53,7 @@ LAYERS = {
 OUTSIDE = {
     "app.optics": {"numpy", "scipy"},
     "app.engines": {"numpy"},
+    "app.atlas": {"numpy", "arro3"},
     "app.export": {"numpy"},
     "app.snippets": set(),
     "app.materials": {"cachetools", "numpy", "scipy", "pydantic", "yaml", "orjson"},
