@@ -25,6 +25,7 @@ const VIEWS = [
   { id: "compare", title: "Compare", load: () => import("./views/compare.js"), reads: "models" },
   { id: "albedo", title: "Albedo", load: () => import("./views/albedo.js") },
   { id: "materials", title: "Materials", load: () => import("./views/materials.js") },
+  { id: "atlas", title: "Atlas", load: () => import("./views/atlas.js") },
   { id: "films", title: "Films", load: () => import("./views/films.js") },
   { id: "engines", title: "Engines", load: () => import("./views/engines.js") },
   { id: "preview", title: "Preview", load: () => import("./views/preview.js") },

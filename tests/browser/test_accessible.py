@@ -16,6 +16,7 @@ PLACES = {
     "materials": "?view=materials",
     "films": "?view=films&film_model=cycles_film",
     "pane": "?view=films&layers=soda-lime:4000000:incoherent&n_t=1&film_to=10000000",
+    "atlas": "?view=atlas&atlas_model=f82_tint&atlas_at=Au",
     "engines": "?view=engines&engine=babylon&measured=gold",
     "preview": "?view=preview",
     "path": "?view=theory",

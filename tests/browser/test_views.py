@@ -6,7 +6,17 @@ import re
 import pytest
 from playwright.sync_api import Page, expect
 
-VIEWS = ("explore", "compare", "albedo", "materials", "films", "engines", "preview", "theory")
+VIEWS = (
+    "explore",
+    "compare",
+    "albedo",
+    "materials",
+    "atlas",
+    "films",
+    "engines",
+    "preview",
+    "theory",
+)
 
 SHARED = """async (views) => {
   const all = async (path) => (await fetch(`/api/v1${path}`)).json();
