@@ -19,8 +19,8 @@ export const KINDS = { clear: "clear", absorbing: "absorbing", metal: "metal" };
 
 /** What materials stand at along the figure: its title, and the least and largest that is drawn. */
 export const ABSCISSAS = {
-  F0: { word: "F₀", title: "reflectance along the normal F_0", range: [1e-3, 1] },
-  n: { word: "n", title: "index n", range: [0.03, 10] },
+  F0: { word: "F₀", title: "reflectance along the normal F_0", range: [0.01, 1] },
+  n: { word: "n", title: "index n", range: [0.05, 10] },
   k: { word: "k", title: "extinction k", range: [1e-3, 10] },
 };
 

@@ -43,7 +43,7 @@ export function createFormulas({ catalog: { models }, element, actions }) {
           <span class="bar" aria-hidden="true"><i style="width: ${(100 * one.within) / one.materials}%"></i></span>
           ${one.within.toLocaleString("en")} of ${one.materials.toLocaleString("en")}
         </td>`
-      : html`<td class="share none">not made for them</td>`;
+      : html`<td class="share none"><span title="not made for these">–</span></td>`;
 
   /** @param {ModelShare} one @param {string} chosen */
   const row = ({ model, title, kinds }, chosen) => html`<tr>

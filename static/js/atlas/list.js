@@ -66,7 +66,7 @@ export function createList({ catalog: { models, materials }, list, card, actions
     <td class="id">${point.id}</td>
     <td>${point.kind}</td>
     <td>${written(point.error, state.atlas_metric)}</td>
-    <td>${where(point, state)}</td>
+    <td class="where">${where(point, state)}</td>
   </tr>`;
 
   function draw() {
@@ -81,10 +81,10 @@ export function createList({ catalog: { models, materials }, list, card, actions
           <thead>
             <tr>
               <th scope="col">Material</th>
-              <th scope="col">Id</th>
+              <th scope="col" class="id">Id</th>
               <th scope="col">Kind</th>
               <th scope="col">${METRICS[state.atlas_metric]}</th>
-              <th scope="col">at</th>
+              <th scope="col" class="where">at</th>
             </tr>
           </thead>
           <tbody>${shown.map(row)}</tbody>

@@ -96,6 +96,7 @@ export function createScatter(element, { filename, onPick, csv }) {
       yanchor: "middle",
       showarrow: false,
       borderpad: 0,
+      bgcolor: `${theme.paper}b8`, // points shine through, letters stand before them
       font: {
         size: 11 * theme.unit,
         color: spot.id === look.at ? theme.accent : theme.ink,

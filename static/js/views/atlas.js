@@ -40,7 +40,9 @@ const SMALLEST = 1e-6; // what is less stands at the lower edge
 const ALL = "all shelves";
 
 await Promise.all(
-  ["heatmap", "albedo-claims", "compare", "atlas"].map((name) => loadStyle(`css/${name}.css`)),
+  ["heatmap", "albedo-claims", "compare-errors", "atlas"].map((name) =>
+    loadStyle(`css/${name}.css`),
+  ),
 );
 
 /** Decimal logarithms and what stands at them. @param {number} low @param {number} high @param {string} metric @returns {Axis["ticks"]} */
@@ -156,6 +158,16 @@ export function createView(context) {
   });
   element.append(
     h(
+      "section.column.atlas-figure",
+      { "aria-label": "Errors of the formula at all materials" },
+      h("div.heading", h("h2", "Which formula for which material"), exports),
+      sentence,
+      trouble.element,
+      host,
+      key,
+      note,
+    ),
+    h(
       "section.column.atlas-choice",
       { "aria-label": "Formula and materials" },
       h("h2", "Formula"),
@@ -170,16 +182,6 @@ export function createView(context) {
       search,
       shelf.element,
       choices.elements.atlas_x,
-    ),
-    h(
-      "section.column.atlas-figure",
-      { "aria-label": "Errors of the formula at all materials" },
-      h("div.heading", h("h2", "Which formula for which material"), exports),
-      sentence,
-      trouble.element,
-      host,
-      key,
-      note,
     ),
     card,
     h(
