@@ -286,6 +286,7 @@ FIRST = {
     "gold johnson": ["rii:main/Au/Johnson"],
     "Malitson 1965": ["rii:main/SiO2/Malitson"],
     "10.1103/PhysRevB.6.4370": [],
+    "aurum": ["rii:main/Au/Olmon-ev"],
     "rust": ["rii:main/Fe2O3/Querry-o"],
 }
 

@@ -183,6 +183,7 @@ def page_of(entry: Mapping[str, Any]) -> dict[str, str]:
 def _listed(entry: Mapping[str, Any], start: int, length: int) -> ListedPage:
     preset = entry.get("preset", {})
     names, title = tuple(entry["names"]), entry["title"]
+    chosen_as = tuple(entry.get("chosen_as", ()))
     of_page = title.partition(" · ")[2]
     if entry["id"].startswith(f"{PREFIX}{SUPPLIERS}/"):
         of_page = ""
@@ -197,9 +198,9 @@ def _listed(entry: Mapping[str, Any], start: int, length: int) -> ListedPage:
         refused=entry.get("refused"),
         order=entry["order"],
         names=names,
-        chosen_as=tuple(entry.get("chosen_as", ())),
+        chosen_as=chosen_as,
         said=of_page.casefold(),
-        words=" ".join((entry["id"], *names, title)).casefold(),
+        words=" ".join((entry["id"], *names, *chosen_as, title)).casefold(),
         source=preset.get("source", "").casefold(),
         start=start,
         length=length,

@@ -86,7 +86,8 @@ export function createBrowser({ catalog, actions, onPick: chosen }) {
   function counted({ curated, total, materials }, own, all) {
     const presets = curated === all ? `${all} presets` : `${curated} of ${all} presets`;
     const [pages, listed] = [total - curated, materials.length - curated];
-    const some = pages > listed ? `${listed} of ${pages} pages` : `${pages} pages`;
+    const some =
+      pages > listed ? `${listed} of ${pages} pages` : `${pages} page${pages === 1 ? "" : "s"}`;
     return [presets, own > 0 && `${own} of yours`, pages > 0 && some].filter(Boolean).join(", ");
   }
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from decimal import Decimal, InvalidOperation
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -158,7 +159,7 @@ def _table(block: dict[str, Any], what: str, start: int, name: str, notes: Notes
             row = [float(cell) if "_" not in cell else np.nan for cell in cells]
         except ValueError:
             row = []
-        if len(row) == 1 + len(what) and np.isfinite(row).all():
+        if len(row) == 1 + len(what) and all(map(isfinite, row)):
             rows.append(row)
             lines.append(number)
         else:
