@@ -2,6 +2,7 @@
 
 import { createSelect } from "../controls/select.js";
 import { createTyped } from "../controls/typed.js";
+import { atWavelength } from "../media/media.js";
 import { evaluate } from "../numbers/expression.js";
 import { plain } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
@@ -10,6 +11,7 @@ import { html, nothing, render } from "../page/lit.js";
 import { sayProblem } from "../page/trouble.js";
 import { declared } from "../state/state.js";
 import { BETWEEN, filled, printValue, SOURCES, texts } from "./conversions.js";
+import { colored } from "./metal-color.js";
 
 /** @typedef {import('./conversions.js').Result} Result */
 
@@ -120,8 +122,13 @@ export function createConvert({ catalog, state, actions }) {
   const changed = createChanged();
   return {
     element,
-    /** @param {State} now @param {any} answer @param {import('../page/trouble.js').Problem | undefined} problem */
-    update(now, answer, problem) {
+    /**
+     * @param {State} now
+     * @param {any} answer
+     * @param {import('../page/trouble.js').Problem | undefined} problem
+     * @param {import('./metal-color.js').Detail | undefined} detail the material that is converted
+     */
+    update(now, answer, problem, detail) {
       if (answer && changed(answer, now.from)) {
         results = answer.results;
         lines = results.map((result) => line(result, now.from === "media"));
@@ -131,7 +138,7 @@ export function createConvert({ catalog, state, actions }) {
       const [first = ""] = texts(now);
       color = /^#?([0-9a-f]{6})$/i.exec(first)?.[1]?.toLowerCase() ?? color;
       render(
-        html`<div class="heading"><h2>Conversions</h2></div>
+        html`<div class="heading"><h2>Conversions</h2><span class="at-nm">${now.from === "media" ? atWavelength(catalog.materials, now) : ""}</span></div>
           <div class="convert-from">
             ${from.element}${given(now, problem !== undefined)}
             ${
@@ -148,6 +155,7 @@ export function createConvert({ catalog, state, actions }) {
             <label class="given-label seen"><span>also seen from <var class="symbol">n</var> =</span>${seen.box}</label>
           </div>
           <p class="row-error" id=${DESCRIBED} role="alert">${sayProblem(problem)}</p>
+          ${colored(now, catalog, detail)}
           <table class="conversions" ?data-stale=${problem !== undefined}>
             <caption class="hidden">The same surface in other words</caption>
             <thead class="hidden">

@@ -9,9 +9,11 @@ import { SOURCES } from "./conversions.js";
 
 /** What stands against the exact curve when nothing was chosen. */
 const FIRST_MODELS = ["schlick", "spherical_gaussian", "generalized_schlick"];
+/** The same of a metal. */
+const FIRST_OF_METALS = ["f82_tint", "schlick", "lazanyi2005"];
 
 /** What stands against the exact curve here. @param {State} state @returns {readonly string[]} */
-export const against = ({ models }) => models ?? FIRST_MODELS;
+export const against = ({ models, k_t }) => models ?? (k_t > 0 ? FIRST_OF_METALS : FIRST_MODELS);
 
 const MOST_FAMILY = 6;
 /** What an error may be allowed. */

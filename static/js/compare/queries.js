@@ -5,6 +5,7 @@ import { mediaQuery, parameterQuery, path } from "../state/state.js";
 import { codeOf, lutPath, snippetPath } from "../takeaway/fields.js";
 import { convertPath } from "./conversions.js";
 import { against, figureOf, focused, ranges, withCode } from "./fields.js";
+import { colorPath } from "./metal-color.js";
 
 /** Without films, which other views may have put on the surface. @param {State} state @returns {State} */
 export const bare = (state) => ({ ...state, layers: "" });
@@ -125,6 +126,7 @@ export function later(state, catalog) {
     ? []
     : models.filter((/** @type {string} */ id) => !hasTriple(state, id));
   const offered = withCode(state);
+  const color = colorPath(state, catalog);
   return {
     ...bandPaths(state, catalog),
     ...(example && { claims: `/claims?example=${example}` }),
@@ -132,6 +134,7 @@ export function later(state, catalog) {
     ...Object.fromEntries(
       swept.map((/** @type {string} */ id) => [`sweep:${id}`, sweepPath(state, catalog, id)]),
     ),
+    ...(color && { color }),
     convert: convertPath(state),
     recommend: recommendPath(state, catalog),
     shader: snippetPath(state, offered),

@@ -3,6 +3,7 @@
 import { createSelect } from "../controls/select.js";
 import { createTyped } from "../controls/typed.js";
 import { METRICS, printCost, sayCost, short } from "../errors/metrics.js";
+import { atWavelength } from "../media/media.js";
 import { modelStyle } from "../models/look.js";
 import { sampled } from "../models/sampled.js";
 import { evaluate } from "../numbers/expression.js";
@@ -30,7 +31,8 @@ function written(value, metric) {
 }
 
 /** @param {ViewContext} context */
-export function createRecommend({ catalog: { models }, state, actions }) {
+export function createRecommend({ catalog, state, actions }) {
+  const { models } = catalog;
   const budget = createTyped({
     attributes: { class: "box bound", "aria-label": "Error budget" },
     id: "budget-error",
@@ -108,7 +110,7 @@ export function createRecommend({ catalog: { models }, state, actions }) {
       budget.update(plain(now.budget));
       within.update(now.within);
       render(
-        html`<div class="heading"><h2>Which will do?</h2></div>
+        html`<div class="heading"><h2>Which will do?</h2><span class="at-nm">${atWavelength(catalog.materials, now)}</span></div>
           <div class="budget">
             ${within.element}<span>≤</span>${budget.box}
             <span class="quick">${BUDGETS.map(

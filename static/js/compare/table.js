@@ -1,11 +1,12 @@
 /** The table of errors: sortable; the row under the pointer or the focus lights its curve. */
 
 import { COLUMNS, sayCost, short, sorted } from "../errors/metrics.js";
+import { atWavelength } from "../media/media.js";
 import { createDefinitions } from "../models/definitions.js";
 import { CHANNELS, modelStyle, traceName } from "../models/look.js";
 import { sampled } from "../models/sampled.js";
 import { angle } from "../numbers/format.js";
-import { h } from "../page/dom.js";
+import { h, setText } from "../page/dom.js";
 import { html, nothing, render } from "../page/lit.js";
 import { createCopy, heading } from "../page/tables.js";
 import { against } from "./fields.js";
@@ -31,7 +32,8 @@ export function errorsOf(now, answers) {
 }
 
 /** @param {ViewContext} context @param {(model: string | null) => void} onLight */
-export function createTable({ catalog: { models }, state, actions, say, typeset }, onLight) {
+export function createTable({ catalog, state, actions, say, typeset }, onLight) {
+  const { models } = catalog;
   const costs = new Map(models.map((m) => [m.id, /** @type {Cost} */ (m.cost)]));
   const definitions = createDefinitions(models, typeset);
   const element = h("div.errors-host");
@@ -52,10 +54,11 @@ export function createTable({ catalog: { models }, state, actions, say, typeset 
     },
     say,
   );
+  const at = h("span.at-nm");
   const section = h(
     "section.column.metrics",
     { "aria-label": "Errors" },
-    h("div.heading", h("h2", "Errors"), copy),
+    h("div.heading", h("h2", "Errors"), at, copy),
     element,
     definitions.element,
   );
@@ -130,6 +133,7 @@ export function createTable({ catalog: { models }, state, actions, say, typeset 
       const rows = sorted(errorsOf(now, answers), now.sort, now.order, setting);
       shown = { state: now, rows, setting, here };
       definitions.update(against(now));
+      setText(at, atWavelength(catalog.materials, now));
       const focused = focusedRow();
       const empty = html`<p class="empty">Choose a model to see its errors here.</p>`;
       render(rows.length === 0 ? empty : table(shown, stale), element);

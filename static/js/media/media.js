@@ -63,6 +63,20 @@ export function knownRange(materials, { incident, material }) {
   return [Math.max(...ranges.map((r) => r[0])), Math.min(...ranges.map((r) => r[1]))];
 }
 
+/**
+ * At which wavelength the media are taken: that of the page, else of their sources. Nothing where none varies.
+ * @param {Material[]} materials
+ * @param {State} state
+ */
+export function atWavelength(materials, { incident, material, wavelength_nm }) {
+  const used = [incident, material].flatMap((id) => {
+    const found = materials.find((m) => m.id === id);
+    const nm = isDispersive(found) ? (wavelength_nm ?? found?.wavelength_nm) : null;
+    return nm == null ? [] : [`${plain(nm)}\u00a0nm`];
+  });
+  return used.length ? `at ${[...new Set(used)].join(" and ")}` : "";
+}
+
 /** @param {ConstantsOptions} options */
 export function createConstants({ materials, onChange, onProblem, query }) {
   /** @type {Map<string, Resolved>} */

@@ -78,12 +78,13 @@ export function previewFields({ models }) {
   };
 }
 
-const FIRST_MODEL = "schlick";
+/** What stands on the right when nothing was chosen, of a metal and of all else. */
+const firstModel = (/** @type {State} */ { k_t }) => (k_t > 0 ? "f82_tint" : "schlick");
 
 /** The state with the model on the right: the first of those chosen in any view, unless a link names another. @param {State} state @returns {State} */
 export const sided = (state) => ({
   ...state,
-  right: state.right ?? chosenModels(state)[0] ?? FIRST_MODEL,
+  right: state.right ?? chosenModels(state)[0] ?? firstModel(state),
 });
 
 /**

@@ -45,7 +45,7 @@ export function createView(context) {
   const tables = createTables({ parent: element, catalog, actions });
   const pictures = [plots, figure, tables];
 
-  const problems = createProblems(["recommend", "convert", "shader", "lut"]);
+  const problems = createProblems(["recommend", "convert", "color", "shader", "lut"]);
   /** @type {Record<string, any>} */
   let given = {};
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -58,7 +58,7 @@ export function createView(context) {
     const fresh = freshOf(given, later(now, catalog));
     figure.update(now, given);
     recommend.update(now, given.recommend, problem("recommend"));
-    convert.update(now, given.convert, problem("convert"));
+    convert.update(now, given.convert, problem("convert"), fresh.color);
     snippets.update(now, withCode(now), fresh.shader, problem("shader"));
     tables.update(bare(now), withCode(now), fresh.lut, problem("lut"));
   }

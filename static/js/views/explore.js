@@ -5,9 +5,9 @@ import { allLandmarksOf, axesOf, marksOf, readingAt, tracesOf } from "../curves/
 import { createDiagram, createSplit } from "../diagram/diagram.js";
 import { createControls } from "../explore/controls.js";
 import { createNumbers } from "../explore/numbers.js";
-import { bandPaths, knownAs, spreadPaths } from "../media/media.js";
+import { atWavelength, bandPaths, knownAs, spreadPaths } from "../media/media.js";
 import { angle, clamp, inDegrees, inUnit, percent, snap, stepped } from "../numbers/format.js";
-import { createDataTables, createExports, h } from "../page/dom.js";
+import { createDataTables, createExports, h, setText } from "../page/dom.js";
 import { createPlot } from "../plot/plot.js";
 import {
   choice,
@@ -48,6 +48,7 @@ export function createView({
   const controls = createControls({ catalog, presets, state, actions, describeMedia });
   const numbers = createNumbers(say);
   const split = createSplit();
+  const light = h("span.at-nm");
   const whitePlace = h("div", { hidden: true });
   const fold = h("details.definitions", h("summary", "Formulas and sources of these curves"));
   /** Fetched when the fold is opened. @type {{update: (ids: readonly string[]) => void} | null} */
@@ -100,7 +101,7 @@ export function createView({
       { "aria-label": "Reflectance" },
       h("div.heading", h("h2", "Reflectance"), exports),
       plotHost,
-      h("div.heading", h("h2", "Numbers"), numbers.copyAll),
+      h("div.heading", h("h2", "Numbers"), light, numbers.copyAll),
       numbers.grid,
       fold,
       tables.element,
@@ -255,6 +256,7 @@ export function createView({
       });
       white?.panel.update(rays, next, catalog.materials);
       split.update(/** @type {number} */ (share), /** @type {number} */ (passed), media.k_t > 0);
+      setText(light, atWavelength(catalog.materials, next));
       numbers.update(reading, unit, moving);
       draw(moving);
       const points = [
