@@ -138,7 +138,7 @@ COMMANDS = (
         "--max_error 0.05",
         sheets=tables.several(
             tables.listed("models", "model", "weighted_cost", "figures.max_abs", "figures.rms"),
-            tables.listed("refused", "model", "weighted_cost", "reason", title="refused"),
+            tables.listed("refused", "model", "weighted_cost", "reason", title="ruled out"),
         ),
     ),
     Command(

@@ -15,7 +15,27 @@ LEAST_COSINE = 5e-16
 """What stands in for a cosine of 0 in a formula that divides by what may vanish there. R differs from
 that at 0 by less than rounding, and the squares of mu and 1/mu times any index are 32 bit floats."""
 
-TOLD = "Beyond its ends mu is cut to them; a root of less than 0 is 0."
+_TOLD = {
+    ("sqrt", "max"): "a root of less than 0 is 0",
+    ("pow", "max"): "a power of less than 0 is that of 0",
+    ("asin", "min"): "an arc sine of more than 1 is that of 1",
+}
+"""What is said of a function whose argument is kept from its ends."""
+
+
+def told(formula: Formula) -> str:
+    """Say what a guarded formula does beyond the ends of its arguments; "" if it has nothing to say."""
+    calls = [
+        (ast.unparse(node.func), ast.unparse(node.args[0].func))
+        for part in formula.everything()
+        for value in (*(step.value for step in part.steps), part.value)
+        for node in ast.walk(value)
+        if isinstance(node, ast.Call) and node.args and isinstance(node.args[0], ast.Call)
+    ]
+    said = ["beyond its ends mu is cut to them"] if MU in formula.arguments else []
+    said += [words for call, words in _TOLD.items() if call in calls]
+    text = "; ".join(said)
+    return f"{text[:1].upper()}{text[1:]}." if said else ""
 
 
 def guarded(formula: Formula) -> Formula:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from app.optics.parameters import K_T, MU, N_I, N_T
 from app.optics.registry import Measured, Model
 from app.snippets.formula import Formula, Untranslatable, read
-from app.snippets.guards import TOLD, guarded
+from app.snippets.guards import guarded, told
 from app.snippets.languages import Language
 
 ETA_ENDS = (1e-3, 1e3)
@@ -71,7 +71,7 @@ def arguments_of(model: Model) -> tuple[Argument, ...]:
             parameter = own[name]
             per_channel = parameter.triple or parameter.default is None
             least, most = parameter.minimum, parameter.maximum
-            meaning = parameter.description.partition(" Three values")[0]
+            meaning = _in_code(parameter.description)
             if name in _MEANINGS:
                 meaning = _MEANINGS[name][0]
         else:
@@ -79,6 +79,17 @@ def arguments_of(model: Model) -> tuple[Argument, ...]:
             meaning, least, most = _MEANINGS[name]
         listed.append(Argument(name, meaning, per_channel, least, most))
     return tuple(listed)
+
+
+def _in_code(description: str) -> str:
+    """What a parameter is where it must be given: code has no value for one that is left out."""
+    said = description.partition(" Three values")[0]
+    sentences = []
+    for sentence in said.split(". "):
+        clauses = sentence.removesuffix(".").split("; ")
+        kept = "; ".join(clause for clause in clauses if "nless given" not in clause)
+        sentences += [f"{kept}."] if kept else []
+    return " ".join(sentences)
 
 
 def write(model: Model, language: Language, channels: int = 1) -> str:
@@ -105,6 +116,7 @@ def write(model: Model, language: Language, channels: int = 1) -> str:
             *_told(model),
             *untested(language),
             *_ends(arguments),
+            *filter(None, [told(formula)]),
         ]
     )
     if language.id == "python":
@@ -136,7 +148,6 @@ def _ends(arguments: Sequence[Argument]) -> Iterator[str]:
         yield f"{a.name}: {a.description} {a.minimum:g} to {a.maximum:g}."
     if {"n_i", "n_t"} <= {a.name for a in arguments}:
         yield "n_t / n_i: {:g} to {:g}.".format(*ETA_ENDS)
-    yield TOLD
 
 
 def untested(language: Language) -> Iterator[str]:

@@ -344,7 +344,7 @@ async function start() {
     },
     onArrival(problems) {
       linked = state.toQuery();
-      const title = "The link says something that cannot be shown";
+      const title = "Part of this link is not valid";
       shell.notice("link", problems.length ? { title, lines: linkLines(problems) } : null);
     },
   });

@@ -146,7 +146,7 @@ def test_models_are_chosen_searched_and_out_of_domain_rows_say_why(quiet_page: P
     assert visible.count() < 6
     page.locator('.chooser input[value="hoffman_f82"]').check(force=True)
     search.fill("nothing like this")
-    expect(page.locator(".chooser .reason")).to_contain_text("No model speaks of")
+    expect(page.locator(".chooser .reason")).to_contain_text("No match for")
     search.press("Escape")
     expect(row(page, "hoffman_f82").locator(".outside")).to_contain_text("outside its domain")
     assert "hoffman_f82" in link(page)["models"]

@@ -108,7 +108,7 @@ def test_the_finder_says_when_nothing_is_called_so(quiet_page: Page) -> None:
     page = opened(quiet_page)
     page.get_by_role("button", name="Find").click()
     page.get_by_role("combobox", name="Find a view").fill("qqqqqqqqq")
-    expect(page.get_by_text("Nothing is called so.")).to_be_visible()
+    expect(page.get_by_text("No match", exact=True)).to_be_visible()
     page.keyboard.press("Enter")
     page.keyboard.press("Escape")
     expect(page.get_by_role("dialog")).to_have_count(0)

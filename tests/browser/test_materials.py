@@ -115,7 +115,7 @@ def test_search_finds_gold(quiet_page: Page, text: str, first: str) -> None:
 def test_a_typo_is_answered_with_suggestions(quiet_page: Page) -> None:
     page = opened(quiet_page, "&preset=Cu")
     page.locator("#find").fill("Aurm")
-    expect(page.locator(".suggestions")).to_contain_text("Nothing is called “Aurm”")
+    expect(page.locator(".suggestions")).to_contain_text("No match for “Aurm”")
     page.locator(".suggestion", has_text="Gold").click()
     expect(page.locator(".material-name")).to_have_text("Gold")
     expect(page.locator(".presets .entry-name").first).to_have_text("Gold")

@@ -75,7 +75,7 @@ def mm(root: ET.Element, side: str) -> float:
 def test_size_and_letters_are_those_asked_for(quiet_page: Page, width: int, points: int) -> None:
     dialog = sheet(opened(quiet_page, "?models=schlick"))
     dialog.get_by_label("Width, mm").fill(str(width))
-    dialog.get_by_label("Letters, pt").fill(str(points))
+    dialog.get_by_label("Font size, pt").fill(str(points))
     root = ET.fromstring(saved(quiet_page, dialog, "svg"))  # noqa: S314 (made by the page)
     assert mm(root, "width") == pytest.approx(width, abs=1e-3)
     assert mm(root, "height") > 60  # the caption stands below
@@ -126,7 +126,7 @@ def test_png_has_its_ground_and_says_its_size(
     page = opened(quiet_page)
     dialog = sheet(page)
     option = dialog.locator("option", has_text=re.compile(f"{ground}$")).get_attribute("value")
-    dialog.get_by_label("Ground").select_option(option)
+    dialog.get_by_label("Background").select_option(option)
     png = saved(page, dialog, "png")
     parts = dict(chunks(png))
     width, _ = struct.unpack(">II", parts[b"IHDR"][:8])
@@ -142,7 +142,7 @@ def test_what_cannot_be_is_said_and_not_saved(quiet_page: Page) -> None:
     dialog.get_by_role("button", name="Save as SVG").click()
     expect(dialog.get_by_role("alert")).to_have_text("Width, mm: 30 to 400")
     dialog.get_by_label("Width, mm").fill("40")
-    dialog.get_by_label("Letters, pt").fill("24")
+    dialog.get_by_label("Font size, pt").fill("24")
     expect(dialog.get_by_role("alert")).to_contain_text("24 pt letters need a width of")
     quiet_page.keyboard.press("Escape")
     expect(dialog).to_be_hidden()

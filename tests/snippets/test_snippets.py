@@ -59,6 +59,24 @@ def test_says_where_it_leaves_0_to_1(model: Model) -> None:
         assert ("0 to 1 but for extreme arguments" in told) == model.leaves_0_to_1
 
 
+@over_models
+def test_comments_are_true_of_the_code_they_stand_on(model: Model) -> None:
+    written = write(model, LANGUAGES["glsl"])
+    lines = written.splitlines()
+    comments = " ".join(line.removeprefix("//").strip() for line in lines if line.startswith("//"))
+    code = "\n".join(line for line in lines if not line.startswith("//"))
+    assert "nless given" not in comments  # every argument must be
+    for argument in arguments_of(model):
+        assert f"{argument.name}: {argument.description}" in comments
+    for words, call in (
+        ("a root of less than 0 is 0", "sqrt(max("),
+        ("a power of less than 0", "pow(max("),
+        ("an arc sine of more than 1", "asin(min("),
+        ("mu is cut to them", "clamp(mu"),
+    ):
+        assert (words in comments) == (call in code), words
+
+
 def test_only_what_says_why_has_none() -> None:
     without = {m.id: reason_without(m) for m in default_registry().values() if m not in MODELS}
     assert set(without) == {"complex_form", "complex_dielectric", "constant_f0", "lut_1d"}

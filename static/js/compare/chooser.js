@@ -70,7 +70,7 @@ export function createChooser({ models, chosen, onChange }) {
       if (text !== "") fold.element.open = true;
       else if (!fold.ids.some((id) => chosen().includes(id))) fold.element.open = open;
     }
-    setText(none, found === 0 ? `No model speaks of “${text}”.` : "");
+    setText(none, found === 0 ? `No match for “${text}”.` : "");
   }
 
   const clear = createClear("Models", "clear the choice of models", onChange);

@@ -88,12 +88,12 @@ export function createRecommend({ catalog, state, actions }) {
           : good.slice(0, FEW).map((one) => pick(one, now))
       }</ol>
       <details class="definitions" ?hidden=${good.length <= FEW}>
-        <summary>${good.length - FEW} more, dearer ones</summary>
+        <summary>${good.length - FEW} costlier ${good.length - FEW === 1 ? "model" : "models"}</summary>
         <ol class="picks">${good.slice(FEW).map((one) => pick(one, now))}</ol>
       </details>
     </div>
     <details class="definitions" ?hidden=${refused.length === 0} ?open=${wide}>
-      <summary>${refused.length} refused, and why</summary>
+      <summary>Ruled out: ${refused.length} ${refused.length === 1 ? "model" : "models"}</summary>
       <ul class="refused">${refused.map(
         ({ title, reason }) => html`<li><b class="refused-name">${title}</b> ${reason}</li>`,
       )}</ul>

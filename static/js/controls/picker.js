@@ -175,8 +175,7 @@ export async function createList({
       list
         .querySelector(`[data-index="${known.length}"]`)
         ?.before(h("li.media-group", { role: "presentation" }, PAGES));
-    if (found.length === 1)
-      list.prepend(h("li.media-group", { role: "presentation" }, "nothing is called so"));
+    if (found.length === 1) list.prepend(h("li.media-group", { role: "presentation" }, "no match"));
     if (text.trim() === "") activate(found.findIndex((m) => m.id === chosen()));
     else activate(found.length > 1 ? 0 : -1);
   }

@@ -79,7 +79,7 @@ export function createBrowser({ catalog, actions, onPick: chosen }) {
       return html`${index ? ", " : " Did you mean "}<button type="button" class="suggestion"
         @click=${take}>${name}</button>`;
     });
-    return html`Nothing is called “${find.trim()}”.${buttons}${ids.length ? "?" : ""}`;
+    return html`No match for “${find.trim()}”.${buttons}${ids.length ? "?" : ""}`;
   }
 
   /** @param {any} answer @param {number} own how many of one's own are listed @param {number} all presets */

@@ -120,7 +120,7 @@ export async function openFinder(options) {
       ? fitting.length > found.length
         ? `${found.length} of ${fitting.length}; write on to narrow them down`
         : ""
-      : "Nothing is called so.";
+      : "No match";
     activate(0);
   }
 

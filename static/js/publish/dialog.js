@@ -1,4 +1,4 @@
-/** The sheet where a figure is fitted to a paper or a slide: ground, size, letters, caption, and a preview. */
+/** The sheet where a figure is fitted to a paper or a slide: background, size, font size, caption, and a preview. */
 
 import { h, saveEach, setText } from "../page/dom.js";
 import { loadStyle } from "../page/style.js";
@@ -14,7 +14,7 @@ const GROUNDS = /** @type {const} */ ([
 const SIZES = /** @type {const} */ ([
   ["width_mm", "Width, mm", 85, 30, 400],
   ["height_mm", "Height, mm", 60, 25, 400],
-  ["font_pt", "Letters, pt", 7, 4, 24],
+  ["font_pt", "Font size, pt", 7, 4, 24],
 ]);
 const REST = 250; // ms without a change before the preview is drawn
 
@@ -54,7 +54,7 @@ function createDialog() {
     { method: "dialog" },
     h(
       "div.publish-fields",
-      h("label", h("span", "Ground"), ground),
+      h("label", h("span", "Background"), ground),
       ...boxes.map(({ label, input }) => h("label", h("span", label), input)),
     ),
     h("label.publish-caption", withCaption, "Caption below the figure"),

@@ -195,7 +195,7 @@ export function createFormulas({ catalog, actions, say }) {
       html`<div class="find">
           <h2>Formulas</h2>
           ${box}
-          <p class="hint" ?hidden=${found.length > 0 || formulas.length === 0}>No formula is called so.</p>
+          <p class="hint" ?hidden=${found.length > 0 || formulas.length === 0}>No match.</p>
         </div>
         <div class="formula-groups">${Object.entries(KINDS).map(group)}</div>`,
       nav,
