@@ -1,6 +1,15 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { arrowSize, at, direction, signPlaces, stageOf } from "../../static/js/diagram/scene.js";
+import {
+  arrowSize,
+  at,
+  direction,
+  isRight,
+  rightAnglePath,
+  seenAt,
+  signPlaces,
+  stageOf,
+} from "../../static/js/diagram/scene.js";
 import { description, obstacles, plan, shortened } from "../../static/js/diagram/words.js";
 import { boxOf, crosses, overlap, within } from "../../static/js/draw/svg.js";
 
@@ -165,4 +174,38 @@ test("a name too long for its corner is cut with an ellipsis", () => {
   assert.equal(shortened("Air", FACES.name, 100), "Air");
   const cut = shortened("Titanium dioxide, rutile, ordinary ray", FACES.name, 100);
   assert.ok(cut.endsWith("…") && FACES.name(cut) <= 100, cut);
+});
+
+test("seen from below, each line of words is still read from the top down", () => {
+  const { drawn, stage } = drawing({ theta_i: 60, theta_t: null, share: 1, size: [520, 420] });
+  const below = { ...stage, mirror: true };
+  const { lines } = plan(drawn, below, FACES);
+  const seen = new Map(
+    lines.map(({ key, y, text }) => [key, text ? seenAt(below, y) : Number.NaN]),
+  );
+  const y = (/** @type {any} */ key) => seen.get(key) ?? Number.NaN;
+  // The light comes from below: its medium is the lower one.
+  assert.ok(y("upperName") > stage.y && y("lowerName") < stage.y);
+  assert.ok(y("upperName") < y("upperIndex"));
+  assert.ok(y("lowerName") < y("lowerIndex") && y("lowerIndex") < y("depth"));
+  assert.ok(y("total") < stage.y);
+});
+
+test("the right angle between the rays is marked at Brewster's angle and nowhere else", () => {
+  const brewster = (Math.atan(1.5) * 180) / Math.PI;
+  const at_brewster = { theta_i_deg: brewster, theta_t_deg: 90 - brewster };
+  assert.ok(isRight({ ...at_brewster, interface: { k_t: 0 } }));
+  assert.ok(!isRight({ ...at_brewster, interface: { k_t: 0.1 } }));
+  assert.ok(!isRight({ theta_i_deg: 56, theta_t_deg: 33.55, interface: { k_t: 0 } }));
+  assert.ok(!isRight({ theta_i_deg: 60, theta_t_deg: null, interface: { k_t: 0 } }));
+  const stage = stageOf(400, 400);
+  const [up, down] = [direction(brewster, "reflected"), direction(90 - brewster, "refracted")];
+  const corners = [...rightAnglePath(stage, up, down).matchAll(/[ML](-?[\d.]+),(-?[\d.]+)/gu)].map(
+    ([, x, y]) => [Number(x) - stage.x, Number(y) - stage.y],
+  );
+  assert.equal(corners.length, 3);
+  const [[ax = 0, ay = 0], , [cx = 0, cy = 0]] = /** @type {[number[], number[], number[]]} */ (
+    corners
+  );
+  assert.ok(Math.abs(ax * cx + ay * cy) < 0.5); // its sides lie along the rays
 });

@@ -13,10 +13,14 @@ import {
   at,
   createScene,
   direction,
+  isRight,
+  rightAnglePath,
+  seenAt,
   setArrow,
   setDecay,
   setIncident,
   setLine,
+  setMirror,
   setScale,
   setSigns,
   stageOf,
@@ -88,6 +92,16 @@ export function createDiagram(element, actions) {
     setLine(scene.normal, { x, y: normal.top }, { x, y: normal.bottom });
     setLine(scene.surface, { x: 0, y }, { x: width, y });
     put(scene.protractor, "d", arcPath(stage, length, 90, "incident"));
+    setMirror(scene, stage);
+    setScale(scene, stage);
+  };
+
+  /** Light from the denser side comes from below, but nothing is turned over under the hand. */
+  const turn = (/** @type {DiagramValues} */ { interface: { n_i, n_t, k_t }, held }) => {
+    const mirror = held ? stage.mirror : k_t === 0 && n_i > n_t;
+    if (mirror === stage.mirror) return;
+    stage = { ...stage, mirror };
+    setMirror(scene, stage);
     setScale(scene, stage);
   };
 
@@ -103,6 +117,7 @@ export function createDiagram(element, actions) {
 
   const render = () => {
     if (!values) return;
+    turn(values);
     const { theta_i_deg, theta_t_deg, tir, polarization } = values;
     const { n_i, n_t, k_t } = values.interface;
     const { share, rest: passed, incident, reflected, refracted } = sharesOf(values);
@@ -132,6 +147,9 @@ export function createDiagram(element, actions) {
     show(scene.reflected.casing, theta_i_deg < 4);
     show(scene.pathRefracted, down !== null);
     show(scene.arcRefracted, down !== null);
+    const right = down !== null && isRight(values);
+    show(scene.rightAngle, right);
+    if (right) put(scene.rightAngle, "d", rightAnglePath(stage, up, down));
     if (down && theta_t_deg !== null) {
       setLine(scene.pathRefracted, stage, at(stage, down, stage.length));
       put(scene.arcRefracted, "d", arcPath(stage, stage.arc, theta_t_deg, "refracted"));
@@ -161,7 +179,7 @@ export function createDiagram(element, actions) {
 
     words.write({ values, share, rest, depth, back, up, down, source, signs }, stage);
 
-    handle.style.transform = `translate(${px(source.x)}px,${px(source.y)}px)`;
+    handle.style.transform = `translate(${px(source.x)}px,${px(seenAt(stage, source.y))}px)`;
     put(handle, "aria-valuenow", Number(theta_i_deg.toFixed(4)));
     put(handle, "aria-valuetext", angle(theta_i_deg, values.angleUnit));
     describe({ ...values, reflected: share, passed: rest, depth });
@@ -172,7 +190,7 @@ export function createDiagram(element, actions) {
     if (!size) return;
     const theme = host.theme();
     words.useFaces(theme);
-    stage = stageOf(size.width, size.height, theme.unit);
+    stage = { ...stageOf(size.width, size.height, theme.unit), mirror: stage.mirror };
     layStage();
     render();
   };
@@ -213,7 +231,8 @@ export function listenForDrags({ host, handle, grip, stage, theta, actions }) {
   /** @param {PointerEvent} event */
   const pointed = (event) => {
     const bounds = host.getBoundingClientRect();
-    return angleAt(stage(), { x: event.clientX - bounds.left, y: event.clientY - bounds.top });
+    const y = seenAt(stage(), event.clientY - bounds.top);
+    return angleAt(stage(), { x: event.clientX - bounds.left, y });
   };
 
   /** @param {PointerEvent} event */
@@ -247,7 +266,7 @@ export function listenForDrags({ host, handle, grip, stage, theta, actions }) {
       if (!event.isPrimary || event.button !== 0) return;
       const taken = event.target === handle || event.target === grip;
       const { y } = stage();
-      const above = event.clientY - host.getBoundingClientRect().top < y;
+      const above = seenAt(stage(), event.clientY - host.getBoundingClientRect().top) < y;
       if (!taken && (event.pointerType === "touch" || !above)) return;
       host.setPointerCapture(event.pointerId);
       handle.focus({ preventScroll: true });

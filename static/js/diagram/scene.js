@@ -246,12 +246,14 @@ export function createScene() {
   // Its nodes in the order in which they are painted.
   const media = svg("g", {}, root);
   const guides = svg("g", { class: "ray-guides" }, root);
+  const names = svg("g", {}, root); // letters are never turned over
   const rays = svg("g", { class: "ray-arrows" }, root);
   const words = svg("g", { class: "ray-words" }, root);
   const guide = (/** @type {string} */ name) => svg("line", { class: `ray-${name}` }, guides);
   const text = (/** @type {string} */ name) => svgText(words, `ray-${name}`);
   return {
     root,
+    turned: [media, guides, rays],
     darkness,
     glow,
     upper: svg("rect", { class: "ray-medium ray-upper", x: 0, y: 0 }, media),
@@ -262,12 +264,13 @@ export function createScene() {
     protractor: svg("path", { class: "ray-protractor" }, guides),
     marks: Array.from({ length: LANDMARKS }, () => ({
       line: guide("landmark"),
-      name: svgText(guides, "ray-landmark-name"),
+      name: svgText(names, "ray-landmark-name"),
     })),
     normal: guide("normal"),
     surface: svg("line", { class: "ray-surface", x1: 0 }, guides),
     arcIncident: svg("path", { class: "ray-angle" }, guides),
     arcRefracted: svg("path", { class: "ray-angle" }, guides),
+    rightAngle: svg("path", { class: "ray-angle ray-right" }, guides),
     pathReflected: guide("direction"),
     pathRefracted: guide("direction"),
 
@@ -294,6 +297,46 @@ export function createScene() {
 }
 
 /** @typedef {ReturnType<typeof createScene>} Scene */
+
+/**
+ * Where a place of the scene is seen: the light comes from above in all that is worked out, and is
+ * turned over where it comes from below.
+ * @param {Stage} stage
+ * @param {number} y
+ */
+export const seenAt = ({ height, mirror }, y) => (mirror ? height - y : y);
+
+/**
+ * Turn the scene over, or back; its surface is half way up.
+ * @param {Scene} scene
+ * @param {Stage} stage
+ */
+export function setMirror({ turned }, { height, mirror }) {
+  for (const group of turned)
+    put(group, "transform", mirror ? `matrix(1 0 0 -1 0 ${height})` : null);
+}
+
+/** Of the mark of a right angle, beside the arcs of the angles. */
+export const RIGHT_SIZE = 0.32;
+/** How near to a right angle is one, degrees. */
+const RIGHT = 0.02;
+
+/** Whether the reflected and the refracted ray are at right angles, as at Brewster's angle. @param {{theta_i_deg: number, theta_t_deg: number | null, interface: {k_t: number}}} values */
+export const isRight = ({ theta_i_deg, theta_t_deg, interface: { k_t } }) =>
+  k_t === 0 && theta_t_deg !== null && Math.abs(theta_i_deg + theta_t_deg - 90) < RIGHT;
+
+/**
+ * The mark of a right angle between two rays.
+ * @param {Stage} stage
+ * @param {Place} up
+ * @param {Place} down
+ */
+export function rightAnglePath(stage, up, down) {
+  const size = stage.arc * RIGHT_SIZE;
+  const [one, two] = [at(stage, up, size), at(stage, down, size)];
+  const corner = at(one, down, size);
+  return `M${short(one.x)},${short(one.y)}L${short(corner.x)},${short(corner.y)}L${short(two.x)},${short(two.y)}`;
+}
 
 /** @typedef {Scene["incident"]} Arrow */
 
@@ -407,10 +450,13 @@ export function setSigns(signs, stage, along, shares, both, share, depth = null)
  * @param {Scene} scene
  * @param {Stage} stage
  */
-export function setScale({ scaleBar, scaleText }, { width, height, inset, wavelength, unit }) {
-  const bottom = height - inset;
+export function setScale(
+  { scaleBar, scaleText },
+  { width, height, inset, wavelength, unit, mirror },
+) {
+  const top = mirror ? inset : height - inset - wavelength;
   const right = width - inset;
-  const top = bottom - wavelength;
+  const bottom = top + wavelength;
   const half = 3 * unit;
   put(
     scaleBar,

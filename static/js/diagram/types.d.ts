@@ -19,6 +19,8 @@ interface DiagramValues {
   landmarks: readonly Landmark[];
   /** Refracted rays of white light, in place of the one. */
   dispersion?: readonly ColoredRay[];
+  /** While something moves nothing is turned over. */
+  held?: boolean;
 }
 
 interface ColoredRay {
@@ -47,6 +49,8 @@ interface Stage extends Size, Place {
   unit: number;
   /** Its two ends. */
   normal: { top: number; bottom: number };
+  /** Whether the light comes from below: all is worked out as if from above, and seen turned over. */
+  mirror?: boolean;
 }
 
 /** What is drawn, for the words to be placed around it. */

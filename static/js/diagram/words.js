@@ -18,7 +18,7 @@ import {
   within,
 } from "../draw/svg.js";
 import { angle, percent, plain } from "../numbers/format.js";
-import { arcChords, arrowSize, at, direction } from "./scene.js";
+import { arcChords, arrowSize, at, direction, isRight, RIGHT_SIZE, seenAt } from "./scene.js";
 
 const MARGIN = 8;
 const HANDLE = 28;
@@ -71,21 +71,23 @@ export function fixedLines({ values, depth }, stage, face) {
       : ["total internal", "reflection"];
   const middle = stage.x + gap;
   const below = stage.y + 22 * unit;
+  // Turned over, lines that stand one below the other change places, so that each is read as before.
+  const ups = [top, top + line * 1.05];
+  const downs = [bottom - line * 1.05, bottom, ...(depth === null ? [] : [bottom + line])];
+  const totals = rest ? [below, below + line] : [below];
+  for (const ys of stage.mirror ? [ups, downs, totals] : []) ys.reverse();
+  const [upName = top, upIndex = top] = ups;
+  const [name = bottom, index = bottom, depths = bottom] = downs;
+  const [first = below, second = below] = totals;
   /** @type {[FixedLine["key"], string, number, number, Measure][]} */
   const lines = [
-    ["upperName", shortened(values.labels.incident, face.name, room), inset, top, face.name],
-    ["upperIndex", indexText("n_i", n_i, 0), inset, top + line * 1.05, face.index],
-    [
-      "lowerName",
-      shortened(values.labels.transmitted, face.name, room),
-      inset,
-      bottom - line * 1.05,
-      face.name,
-    ],
-    ["lowerIndex", indexText("n_t", n_t, k_t), inset, bottom, face.index],
-    ["depth", deep ?? "", inset, bottom + line, face.index],
-    ["total", total ?? "", middle, below, face.share],
-    ["totalRest", rest ?? "", middle, below + line, face.share],
+    ["upperName", shortened(values.labels.incident, face.name, room), inset, upName, face.name],
+    ["upperIndex", indexText("n_i", n_i, 0), inset, upIndex, face.index],
+    ["lowerName", shortened(values.labels.transmitted, face.name, room), inset, name, face.name],
+    ["lowerIndex", indexText("n_t", n_t, k_t), inset, index, face.index],
+    ["depth", deep ?? "", inset, depths, face.index],
+    ["total", total ?? "", middle, first, face.share],
+    ["totalRest", rest ?? "", middle, second, face.share],
   ];
   return lines.map(([key, text, x, y, measure]) => ({
     key,
@@ -126,6 +128,10 @@ export function obstacles({ values, depth, back, up, down, source, signs }, stag
   if (down && values.theta_t_deg !== null) {
     segments.push(segment(stage, at(stage, down, length)));
     segments.push(...arcChords(stage, stage.arc, values.theta_t_deg, "refracted"));
+  }
+  if (down && isRight(values)) {
+    const size = stage.arc * RIGHT_SIZE;
+    boxes.push(boxOf(at(at(stage, up, size / 2), down, size / 2), { width: size, height: size }));
   }
   return { boxes, segments };
 }
@@ -276,14 +282,14 @@ export function createAnnotations(scene) {
         show(node, text !== "");
         if (!text) continue;
         setLabel(node, text);
-        moveText(node, x, y);
+        moveText(node, x, seenAt(stage, y));
       }
       for (const [id, node] of nodes) show(node, standing.has(id));
       for (const { id, text, x, y } of planned.labels) {
         const node = nodes.get(id);
         if (!node) continue;
         setLabel(node, text);
-        moveText(node, x, y);
+        moveText(node, x, seenAt(stage, y));
       }
       for (const [index, { line }] of scene.marks.entries()) {
         const landmark = drawn.values.landmarks[index];
@@ -353,7 +359,10 @@ export function description({
     depth === null || field === null
       ? ""
       : `The power falls to 1/e in ${deepAs(depth)} vacuum wavelengths, the field in ${deepAs(field)}.`;
-  return [first, then, deep].filter(Boolean).join(" ");
+  const right = isRight({ theta_i_deg, theta_t_deg, interface: media })
+    ? "The reflected and the refracted ray are at right angles."
+    : "";
+  return [first, then, right, deep].filter(Boolean).join(" ");
 }
 
 const GAP = 6;

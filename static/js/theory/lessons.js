@@ -140,8 +140,8 @@ export function createLessons({ lessons, key, title, intro, context }) {
     if (!found) return nothing;
     const colors = shown.picture === "colors";
     const on = colors ? setting.of === id : setting.n_t === found.n_absolute;
-    const take = () =>
-      actions.set(colors ? { own_of: id } : { own_n: found.n_absolute, own_k: null });
+    const k = shown.rows?.own_k ? found.k : null;
+    const take = () => actions.set(colors ? { own_of: id } : { own_n: found.n_absolute, own_k: k });
     return html`<button type="button" class="medium" aria-pressed=${on}
       @click=${take}>${found.name.replace(/\s*\(.*\)$/, "")}</button>`;
   }

@@ -177,6 +177,7 @@ export function createStage({ catalog, name, actions }) {
             setting.n_t === own.n_t && setting.k_t === (own.k_t ?? 0) ? into : "second medium",
         },
         landmarks: marks,
+        held: moving,
       });
       split.update(
         /** @type {number} */ (share),

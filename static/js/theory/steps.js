@@ -15,6 +15,9 @@ const near = (a, b, within) => a !== null && a !== undefined && Math.abs(a - b) 
 /** @param {number | null | undefined} x */
 const short = (x) => (x === null || x === undefined ? "…" : plain(x, 3));
 
+/** The preset Fe, at the D line. */
+const IRON = { n_t: 2.29924, k_t: 3.23668 };
+
 /** @type {Lesson[]} */
 export const STEPS = [
   {
@@ -237,12 +240,13 @@ export const STEPS = [
     id: "metals",
     title: "Metals",
     text: [
-      "Metals reflect far more, for the light does not get into them: it is absorbed within a fraction of a wavelength. The equations stay the same if the index becomes complex, $N=n+ik$, where $k$ says how quickly light dies out.",
-      "Raise $k$ and watch. $R$ starts high, there is no Brewster's angle any more, but a **pseudo-Brewster angle** where $R_p$ is least and not 0; just before grazing incidence the curve dips, which Schlick's polynomial does not know.",
+      "This is iron, as it was measured. Metals reflect far more than glass, for the light does not get into them: it is absorbed within a fraction of a wavelength. The equations stay the same if the index becomes complex, $N=n+ik$, where $k$ says how quickly light dies out.",
+      "$R$ starts high and hardly rises. There is no Brewster's angle any more, but a **pseudo-Brewster angle** where $R_p$ is least and not 0; just before grazing incidence the curve dips, which Schlick's polynomial does not know. Take other metals, and move $n$ and $k$ away from them.",
     ],
     formula: "model.exact",
-    at: { n_t: 1.5, k_t: 0.5, deg: 60 },
-    names: ["air", "second medium"],
+    at: { ...IRON, deg: 60 },
+    names: ["air", "iron"],
+    media: ["Fe", "Al", "Ag", "Cu", "Ni"],
     rows: { own_deg: [0, 90], own_n: [0.05, 4], own_k: [0, 8] },
     models: ["schlick"],
     quantities: ["Rs", "Rp", "R"],
@@ -250,8 +254,13 @@ export const STEPS = [
       `F0 is ${percent(reading.interface.F0)}; p is least at ${angle(reading.interface.pseudo_brewster_deg, "deg", 1)}${reading.penetration_depth_wavelengths ? `; ${short(reading.penetration_depth_wavelengths)} wavelengths deep its power has fallen to 1/e` : ""}.`,
     tries: [
       {
-        say: "Keep $n$ and raise $k$ until half of the light is reflected straight on.",
-        done: ({ reading }) => (reading?.interface.F0 ?? 0) >= 0.5,
+        say: "Keep iron's $n$ and take its $k$ away.",
+        done: ({ setting }) => setting.k_t === 0 && near(setting.n_t, IRON.n_t, 0.01),
+        reply: "What is left is a clear stone, nearly diamond, which reflects a quarter as much.",
+      },
+      {
+        say: "Now raise $k$ until four fifths of the light are reflected straight on.",
+        done: ({ reading }) => (reading?.interface.F0 ?? 0) >= 0.8,
         reply:
           "Absorbing more means reflecting more: the strongest absorbers are the best mirrors.",
       },

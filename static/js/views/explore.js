@@ -253,6 +253,7 @@ export function createView({
         },
         landmarks: stops(),
         dispersion: rays,
+        held: moving,
       });
       white?.panel.update(rays, next, catalog.materials);
       split.update(/** @type {number} */ (share), /** @type {number} */ (passed), media.k_t > 0);
