@@ -1,8 +1,9 @@
 /** The state that the Theory view adds to the one all views share. */
 
 import { coatFields } from "../coat/fields.js";
-import { choice, number } from "../state/state.js";
+import { choice, number, optional } from "../state/state.js";
 import { text } from "../state/text.js";
+import { KEYS } from "./answer-key.js";
 import { thinFields } from "./film-lesson.js";
 import { decode } from "./mystery-code.js";
 import { STEPS } from "./steps.js";
@@ -62,6 +63,8 @@ export function theoryFields({ parameters, materials }) {
     own_deg: own("theta_i_deg"),
     own_pol: oneOf(["s", "p", "unpolarized"]),
     own_of: oneOf(materials.map((m) => m.id)),
+    sheet: optional(Object.keys(KEYS)),
+    answers: choice("closed", ["closed", "open"]),
     ...coatFields(parameters),
     ...thinFields(),
   };

@@ -2,6 +2,7 @@
 
 import { coatPath } from "../coat/fields.js";
 import { path } from "../state/state.js";
+import { KEYS } from "./answer-key.js";
 import { lessonQueries } from "./lesson.js";
 import { STEPS } from "./steps.js";
 import { TRAPS } from "./trap-cards.js";
@@ -66,6 +67,8 @@ export function queries(state) {
       return { claims: "/claims" };
     case "mystery":
       return { ...lessonQueries(state, GUESS), hidden: mysteryPath(state) };
+    case "worksheets":
+      return (state.answers === "open" && KEYS[state.sheet]?.asks) || {};
     default:
       return {};
   }

@@ -1,12 +1,16 @@
 /** Worksheets: tasks whose links open the page as the task wants it. */
 
+import { createChanged } from "../page/changed.js";
 import { h } from "../page/dom.js";
-import { followed } from "../page/links.js";
-import { html, render } from "../page/lit.js";
+import { addressOf, followed } from "../page/links.js";
+import { html, nothing, render } from "../page/lit.js";
 import { pieces } from "../page/prose.js";
+import { freshOf } from "../state/state.js";
+import { KEYS } from "./answer-key.js";
 
 /**
  * @typedef {object} Sheet
+ * @property {string} id
  * @property {string} title
  * @property {string} level
  * @property {string} about
@@ -16,6 +20,7 @@ import { pieces } from "../page/prose.js";
 /** @type {Sheet[]} */
 export const SHEETS = [
   {
+    id: "pond",
     title: "Reflection at a pond",
     level: "school, 30 minutes",
     about: "The law of refraction and the split of light, read off a picture that is to scale.",
@@ -26,6 +31,7 @@ export const SHEETS = [
     ],
   },
   {
+    id: "brewster",
     title: "Brewster's angle measured",
     level: "school and first year, 45 minutes",
     about: "Find an index from an angle, as it is done with a laser and a polarizer.",
@@ -36,6 +42,7 @@ export const SHEETS = [
     ],
   },
   {
+    id: "caught",
     title: "Caught light",
     level: "school and first year, 45 minutes",
     about: "Total internal reflection, its phases and the wave beyond the surface.",
@@ -47,6 +54,7 @@ export const SHEETS = [
     ],
   },
   {
+    id: "renderer",
     title: "What may a renderer leave out?",
     level: "computer graphics, 60 minutes",
     about: "Approximations judged by numbers, not by looks.",
@@ -58,6 +66,7 @@ export const SHEETS = [
     ],
   },
   {
+    id: "metals",
     title: "The color of metals",
     level: "computer graphics and optics, 45 minutes",
     about: "From measured spectra to three numbers and what they lose.",
@@ -68,6 +77,7 @@ export const SHEETS = [
     ],
   },
   {
+    id: "paint",
     title: "Paint under a coat",
     level: "computer graphics, 45 minutes",
     about: "Energy between a surface and what is below it.",
@@ -78,6 +88,7 @@ export const SHEETS = [
     ],
   },
   {
+    id: "guess",
     title: "Guess the material",
     level: "for a lesson's last ten minutes",
     about: "Three curves, from easy to hard. Make your own and send the link.",
@@ -89,26 +100,69 @@ export const SHEETS = [
   },
 ];
 
+/** The place of a sheet, or of all of them. @param {string | null} id @param {boolean} [key] whether its answers are shown */
+const place = (id, key = false) =>
+  addressOf("theory", { section: "worksheets", sheet: id, answers: key ? "open" : null });
+
+/** A link, which on paper is followed by its address. @param {string} words @param {string} address */
+function printed(words, address) {
+  const link = followed(words, address);
+  link.dataset.address = new URL(address, document.baseURI).href;
+  return link;
+}
+
 /** @param {string} text */
 function task(text) {
   const [, words = "", link = "", address = ""] = /^(.*) \[(.*)\]\((.*)\)$/.exec(text) ?? [];
-  return html`<li>${pieces(words)} ${followed(`${link} ↗`, address)}</li>`;
+  return html`<li>${pieces(words)} ${printed(`${link} ↗`, address)}</li>`;
 }
 
-/** @param {Sheet} sheet */
-const article = ({ title, level, about, tasks }) => html`<article class="sheet">
-  <h3>${title}</h3>
+/** @param {Sheet} sheet @param {boolean} alone */
+const article = (
+  { id, title, level, about, tasks },
+  alone,
+) => html`<article class="sheet" id="sheet-${id}">
+  <h3>${alone ? title : followed(title, place(id))}</h3>
   <p class="hint">${level}. ${about}</p>
   <ol>${tasks.map(task)}</ol>
 </article>`;
 
+/** @param {import('./answer-key.js').Key} key @param {Record<string, any>} asked */
+function answers({ asks, answers: all }, asked) {
+  const waiting = Object.keys(asks).some((name) => !asked[name]);
+  return html`<section class="answer-key" aria-label="Answer key">
+    <h4>Answer key</h4>
+    ${
+      waiting
+        ? html`<p class="hint">The numbers are being worked out …</p>`
+        : html`<ol>${all.map((answer) => html`<li>${pieces(answer(asked))}</li>`)}</ol>`
+    }
+  </section>`;
+}
+
 export function createWorksheets() {
   const element = h("div.worksheets");
-  render(
-    html`<h2>Worksheets</h2>
-      <p class="intro">Each link opens the page as the task wants it; every value on it can be read, copied and saved. Print this list, or send a single link.</p>
-      ${SHEETS.map(article)}`,
+  const changed = createChanged();
+  return {
     element,
-  );
-  return { element };
+    /** @param {State} now @param {Record<string, any>} given */
+    update(now, given) {
+      const sheet = SHEETS.find(({ id }) => id === now.sheet);
+      const open = now.answers === "open";
+      const key = sheet && KEYS[sheet.id];
+      const asked = freshOf(given, key && open ? key.asks : {});
+      if (!changed(sheet, open, ...Object.values(asked))) return;
+      render(
+        sheet && key
+          ? html`<h2>Worksheet</h2>
+            <p class="intro sheet-links">${followed("All worksheets", place(null))}
+              ${followed(open ? "Without the answer key" : "With the answer key", place(sheet.id, !open))}</p>
+            ${article(sheet, true)} ${open ? answers(key, asked) : nothing}`
+          : html`<h2>Worksheets</h2>
+            <p class="intro">Each link opens the page as the task wants it; every value on it can be read, copied and saved. A sheet's title is its own link, to be sent or printed, with its answer key for teachers.</p>
+            ${SHEETS.map((one) => article(one, false))}`,
+        element,
+      );
+    },
+  };
 }
