@@ -60,6 +60,7 @@ function sharedFields({ parameters, materials }) {
     wavelength_nm: number({ ...WAVELENGTH, default: null }),
     ...Object.fromEntries(own),
     embed: optional(["1"]),
+    present: optional(["1"]),
     polarization: choice("unpolarized", ["s", "p", "unpolarized"]),
     angle: choice("deg", ["deg", "rad"]),
   };
@@ -124,6 +125,7 @@ async function start() {
   const shell = createShell({
     views: VIEWS,
     onView: (id) => router?.choose(id),
+    onPresent: () => state.set({ present: "1" }),
     onTheme: () => {
       for (const { view } of router?.all() ?? []) view.theme();
     },
@@ -225,6 +227,18 @@ async function start() {
     } catch {
       fetching = false; // the server goes on drawing, and the next answer is an occasion to ask again
     }
+  }
+
+  /** @type {Promise<(on: boolean) => void> | null} */
+  let presenting = null;
+  /** @param {State} now */
+  async function present({ present: on }) {
+    document.documentElement.toggleAttribute("data-present", on !== null);
+    if (on)
+      presenting ??= import("./page/present.js").then(({ createPresent }) =>
+        createPresent(() => state.set({ present: null })),
+      );
+    (await presenting)?.(state.get().present !== null);
   }
 
   let frame = 0;
@@ -378,6 +392,7 @@ async function start() {
       { name: "Undo", note: "Ctrl Z", run: orders.undo },
       { name: "Redo", note: "Ctrl Shift Z", run: orders.redo },
       { name: "Keys", note: "?", run: orders.help },
+      { name: "Present", note: "in large type, alone", run: () => state.set({ present: "1" }) },
       { name: "Your own material…", note: "a file or a table", run: () => orders.own() },
     ],
   };
@@ -389,6 +404,7 @@ async function start() {
   byId("open-finder").addEventListener("click", orders.find);
   byId("help").addEventListener("click", orders.help);
   state.subscribe(async (now, moving) => {
+    void present(now);
     await router.follow();
     if (!moving && state.toQuery() !== linked) shell.notice("link", null);
     constants.follow(now);
@@ -406,6 +422,7 @@ async function start() {
       if (!document.activeElement?.checkVisibility()) main.focus({ preventScroll: true });
     });
   });
+  void present(state.get());
   constants.follow(state.get());
   asking.ask();
   schedule();

@@ -1,18 +1,16 @@
 /** The picture of the paint, drawn from its geometry, and as a file with the paint that the page gives it. */
 
 import { onResize } from "../draw/resized.js";
+import { standalone } from "../draw/standalone.js";
 import { percent } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { html, render, svg } from "../page/lit.js";
-import { fontFaces, rasterized, withStyle } from "../plot/image.js";
+import { rasterized } from "../plot/image.js";
 import { coatPicture, outline } from "./picture.js";
 
 /** @typedef {import('./fields.js').Coat} Coat */
 
 const SMALLEST = 60;
-/** Properties that an exported picture carries with it. */
-const PAINT =
-  "fill fill-opacity stroke stroke-width stroke-dasharray font-family font-size font-style font-weight text-anchor";
 
 /** @param {Coat} coat */
 function csv({ interface: media, body_albedo, theta_i_deg, external, internal, ...shares }) {
@@ -91,22 +89,9 @@ export function createDrawing() {
       if (!shown || !root) throw new Error("there is no picture yet");
       if (format === "csv") return new Blob([csv(shown)], { type: "text/csv;charset=utf-8" });
       const { clientWidth: width, clientHeight: height } = frame;
-      const copy = /** @type {SVGElement} */ (root.cloneNode(true));
-      const originals = root.querySelectorAll("*");
-      copy.querySelectorAll("*").forEach((node, i) => {
-        const style = getComputedStyle(/** @type {Element} */ (originals[i]));
-        for (const name of PAINT.split(" ")) node.setAttribute(name, style.getPropertyValue(name));
-        node.removeAttribute("class");
-      });
-      const ground = document.createElementNS("http://www.w3.org/2000/svg", "rect");
-      ground.setAttribute("width", String(width));
-      ground.setAttribute("height", String(height));
-      ground.setAttribute("fill", getComputedStyle(document.documentElement).backgroundColor);
-      copy.prepend(ground);
-      // What templates leave between the elements belongs to no file.
-      const source = new XMLSerializer().serializeToString(copy).replace(/<!--.*?-->/gu, "");
-      const styled = withStyle(source, await fontFaces(getComputedStyle(frame).fontFamily));
-      const blob = new Blob([styled], { type: "image/svg+xml;charset=utf-8" });
+      const ground = getComputedStyle(document.documentElement).backgroundColor;
+      const source = await standalone(root, { width, height, ground });
+      const blob = new Blob([source], { type: "image/svg+xml;charset=utf-8" });
       return format === "svg" ? blob : rasterized(blob, 2 * width, 2 * height);
     },
     destroy,

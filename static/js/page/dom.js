@@ -80,14 +80,14 @@ export function saveEach(save, blobs, name) {
 }
 
 /** @param {ExportsOptions} options */
-export function createExports({ what, name, make, save, print }) {
+export function createExports({ what, kinds = ["png", "svg", "csv"], name, make, save, print }) {
   /** @param {'png' | 'svg' | 'csv'} kind */
   async function take(kind) {
     saveEach(save, [await make(kind)].flat(), (part) => `${name()}${part}.${kind}`);
   }
   return h(
     "p.exports",
-    .../** @type {const} */ (["png", "svg", "csv"]).map((kind) =>
+    ...kinds.map((kind) =>
       h(
         "button.quiet",
         {
@@ -106,8 +106,11 @@ export function createExports({ what, name, make, save, print }) {
           "aria-label": `For print… (${what.replace(/^the /u, "")})`,
           onclick: async () => {
             const { publish } = await import("../publish/dialog.js");
-            const { figures, call, behind } = print;
-            publish({ figures: figures(), call, behind: behind(), name: name(), save });
+            const { figures, call, behind, wide } = print;
+            publish({
+              ...{ figures: figures(), call, behind: behind(), name: name(), save },
+              wide: wide?.() ?? false,
+            });
           },
         },
         "For print…",

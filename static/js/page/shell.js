@@ -6,7 +6,7 @@ const NOTICEABLE = 250; // ms: work that is done sooner is not shown
 const THEMES = /** @type {const} */ (["auto", "light", "dark"]);
 
 /** @param {ShellOptions} options */
-export function createShell({ views, onView, onTheme }) {
+export function createShell({ views, onView, onPresent, onTheme }) {
   const root = document.documentElement;
   const said = byId("said");
   const work = byId("work");
@@ -42,10 +42,12 @@ export function createShell({ views, onView, onTheme }) {
   });
   showTheme();
 
-  byId("copy-link").addEventListener(
+  const link = byId("copy-link");
+  link.addEventListener(
     "click",
     copying(() => location.href, say, "Link copied"),
   );
+  link.after(h("button.quiet", { type: "button", id: "present", onclick: onPresent }, "Present"));
 
   /** @param {string} text */
   function say(text) {

@@ -26,11 +26,10 @@
   }
 
   apply();
-  // Embedded in another page the view stands alone; this, too, must hold before the first paint.
-  root.toggleAttribute(
-    "data-embed",
-    new URLSearchParams(location.search).getAll("embed")[0] === "1",
-  );
+  // Embedded in another page, or presented, the view stands alone; this, too, must hold before the first paint.
+  const asked = new URLSearchParams(location.search);
+  for (const name of ["embed", "present"])
+    root.toggleAttribute(`data-${name}`, asked.getAll(name)[0] === "1");
   dark.addEventListener("change", () => {
     apply();
     root.dispatchEvent(new Event("themechange"));

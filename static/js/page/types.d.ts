@@ -51,6 +51,7 @@ interface RouterOptions {
 }
 
 interface ShellOptions {
+  onPresent: () => void;
   views: { id: string; title: string }[];
   onView: (id: string) => void;
   onTheme: () => void;
@@ -59,12 +60,20 @@ interface ShellOptions {
 interface ExportsOptions {
   /** Such as "the curves". */
   what: string;
+  /** All three unless given. */
+  kinds?: readonly ("png" | "svg" | "csv")[];
   /** Of the file, without ending. */
   name: () => string;
   make: (format: "png" | "svg" | "csv") => Promise<Blob | Blob[]>;
   save: (name: string, blob: Blob) => void;
   /** What can be set up for a publication, a part of the REST call on the page that it shows, and where its indices are from. */
-  print?: { figures: () => Published[]; call: string; behind: () => Behind };
+  print?: {
+    figures: () => Published[];
+    call: string;
+    behind: () => Behind;
+    /** Whether they need the width of two columns. */
+    wide?: () => boolean;
+  };
 }
 
 interface SettleDownOptions {
@@ -104,6 +113,8 @@ interface PublishTask {
   /** Of the files. */
   name: string;
   save: (name: string, blob: Blob) => void;
+  /** Whether a column's width is too small. */
+  wide?: boolean;
 }
 
 interface Cited {

@@ -16,6 +16,8 @@ const SIZES = /** @type {const} */ ([
   ["height_mm", "Height, mm", 60, 25, 400],
   ["font_pt", "Font size, pt", 7, 4, 24],
 ]);
+/** Of two columns, mm. */
+const WIDE = 170;
 const REST = 250; // ms without a change before the preview is drawn
 
 function createDialog() {
@@ -168,6 +170,8 @@ function createDialog() {
     failure = "";
     clearTimeout(waiting);
     preview.replaceChildren();
+    const [width] = boxes;
+    if (width && next.wide && width.input.valueAsNumber < WIDE) width.input.value = String(WIDE);
     words = next.figures.map((_, i) =>
       h("textarea", {
         name: "caption",

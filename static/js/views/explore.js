@@ -21,6 +21,8 @@ import {
 } from "../state/state.js";
 
 const SNAP_DEGREES = 1;
+/** px that the ray takes beside its curves at least. */
+const RAY_WIDTH = 200;
 
 /** The state that this view adds to the one all views share. @param {Catalog} catalog */
 export function fields({ models }) {
@@ -85,12 +87,49 @@ export function createView({
     save,
   });
 
+  const withCurve = h("input", { type: "checkbox" });
+  /** The ray that is drawn. @type {any} */
+  let ray = null;
+  /** As a file, alone or beside its curves. @returns {Published} */
+  function rayFigure() {
+    const picture = {
+      values: ray,
+      size: { width: diagramFrame.clientWidth, height: diagramFrame.clientHeight },
+      plot: withCurve.checked ? plot : null,
+    };
+    const { name, ids } = picture.plot?.about() ?? { name: "", ids: [] };
+    return {
+      about: () => ({ name: `Ray at the surface${name && `; ${name.toLowerCase()}`}`, ids }),
+      beside: picture.plot ? RAY_WIDTH : 0,
+      exportAs: async (...how) =>
+        (await import("../diagram/picture.js")).exportRay(picture, ...how),
+    };
+  }
+  const rayExports = createExports({
+    what: "the ray",
+    kinds: ["png", "svg"],
+    name: () => (withCurve.checked ? "fresnel-ray-and-curves" : "fresnel-ray"),
+    make: (kind) => /** @type {any} */ (rayFigure()).exportAs(kind),
+    print: {
+      figures: () => [rayFigure()],
+      call: "/curves",
+      behind: () => ({ state: now, indices: ["n_i", "n_t", "k_t"] }),
+      wide: () => withCurve.checked,
+    },
+    save,
+  });
+
   element.append(
     controls.element,
     h(
       "section.column.ray",
       { "aria-label": "Ray at the surface" },
-      h("div.heading", h("h2", "Ray at the surface")),
+      h(
+        "div.heading",
+        h("h2", "Ray at the surface"),
+        h("label.with-curve", withCurve, "with its curve"),
+        rayExports,
+      ),
       diagramHost,
       split.element,
       whitePlace,
@@ -239,7 +278,7 @@ export function createView({
       const media = reading.interface;
       if (next.light === "white" && !white) void loadWhite();
       const rays = white?.spread(next, catalog.materials, answers) ?? [];
-      diagram.update({
+      ray = {
         ...reading,
         polarization,
         angleUnit: unit,
@@ -254,7 +293,8 @@ export function createView({
         landmarks: stops(),
         dispersion: rays,
         held: moving,
-      });
+      };
+      diagram.update(ray);
       white?.panel.update(rays, next, catalog.materials);
       split.update(/** @type {number} */ (share), /** @type {number} */ (passed), media.k_t > 0);
       setText(light, atWavelength(catalog.materials, next));
