@@ -46,7 +46,7 @@ def test_schlicks_largest_errors_in_the_sweep_are_those_of_the_table_of_the_form
 
 @pytest.mark.parametrize(("over", "axes"), [("theta-n", "θ"), ("n-k", "n")])
 def test_a_map_tells_its_values_and_goes_there(quiet_page: Page, over: str, axes: str) -> None:
-    page = opened(quiet_page, f"&over={over}&k_t=1")
+    page = opened(quiet_page, f"&over={over}&k_t=1&models=schlick")
     page.locator(".heatmap .heatmaplayer image").wait_for(state="attached")
     area = page.locator(".heatmap .nsewdrag").first.bounding_box()
     assert area
@@ -110,7 +110,7 @@ PICTURES_APART = """async ([a, b]) => {
 
 
 def test_a_map_follows_a_slider_that_is_let_go(quiet_page: Page) -> None:
-    page = opened(quiet_page, "&over=theta-n&k_t=1")
+    page = opened(quiet_page, "&over=theta-n&k_t=1&models=schlick")
     picture = page.locator(".heatmap .heatmaplayer image")
     picture.wait_for(state="attached")
     before = picture.get_attribute("href")
