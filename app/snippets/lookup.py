@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from app.optics.lookup import texel_coordinate
 from app.optics.parameters import MU
 from app.snippets.formula import read
-from app.snippets.guards import TOLD, guarded
+from app.snippets.guards import guarded, told
 from app.snippets.languages import Language, Trust
 from app.snippets.piece import Piece
 from app.snippets.snippet import Argument, untested_words
@@ -57,6 +57,7 @@ VALIDITY = (
 def write_lookup(language: Language) -> str:
     """Write the reading of a table, with its source and meaning as comments."""
     trust, by = _CHECKED[language.id]
+    coordinate = guarded(read(texel_coordinate))
     lines = language.commented(
         [
             "R read from a table over the cosine of the angle of incidence",
@@ -64,13 +65,13 @@ def write_lookup(language: Language) -> str:
             VALIDITY,
             *([untested_words(by)] if trust == "untested" else []),
             *(f"{a.name}: {a.description} {a.minimum:g} to {a.maximum:g}." for a in ARGUMENTS),
-            TOLD,
+            told(coordinate),
         ]
     )
     if language.id == "python":
         lines += ["", "import numpy as np"]
     between = ["", ""] if language.id == "python" else [""]
-    lines += [*between, *language.function(guarded(read(texel_coordinate)))]
+    lines += [*between, *language.function(coordinate)]
     return "\n".join([*lines, *between, _BODIES[language.id]]) + "\n"
 
 

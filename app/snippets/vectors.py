@@ -5,7 +5,7 @@ from dataclasses import replace
 from app.optics import vectors
 from app.optics.parameters import MU
 from app.snippets.formula import read
-from app.snippets.guards import TOLD, guarded
+from app.snippets.guards import guarded, told
 from app.snippets.languages import Language
 from app.snippets.piece import Piece
 from app.snippets.snippet import ETA_ENDS, Argument, untested
@@ -43,6 +43,7 @@ def write_vectors(language: Language) -> str:
     Each comes as a function of one component and, but for Python, whose arrays broadcast, as one of
     vectors, `reflected_xyz` and `refracted_xyz`.
     """
+    formulas = [guarded(read(function)) for function in FUNCTIONS]
     lines = language.commented(
         [
             "Reflected and refracted directions of unit length, by Snell's law in vector form",
@@ -50,7 +51,7 @@ def write_vectors(language: Language) -> str:
             VALIDITY,
             *untested(language),
             *(f"{a.name}: {a.description} {a.minimum:g} to {a.maximum:g}." for a in ARGUMENTS),
-            TOLD,
+            max(map(told, formulas), key=len),
         ]
     )
     if language.id == "python":
@@ -62,8 +63,7 @@ def write_vectors(language: Language) -> str:
     )
     between = ["", ""] if language.id == "python" else [""]
     seen: set[str] = set()
-    for function in FUNCTIONS:
-        formula = guarded(read(function))
+    for formula in formulas:
         parts = [part for part in formula.everything() if part.name not in seen]
         seen |= {part.name for part in parts}
         written = [language.function(part) for part in parts]

@@ -2,7 +2,13 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { boundsOf, cameraAt, rowsBelow } from "../../static/js/preview/camera.js";
 import { tableOf, texelsOf } from "../../static/js/preview/curves.js";
-import { ciede2000, differenceOf, lab } from "../../static/js/preview/difference.js";
+import {
+  amplification,
+  ciede2000,
+  differenceOf,
+  lab,
+  verdictOf,
+} from "../../static/js/preview/difference.js";
 import { putRight, sided } from "../../static/js/preview/fields.js";
 import { coloredMaterial, later, queries, sidePaths } from "../../static/js/preview/queries.js";
 import { INTERVALS, UNDEFINED } from "../../static/js/preview/shader.js";
@@ -208,4 +214,22 @@ test("on the right stands the first model of all views, and what is put there is
     right: null,
     models: ["cos_form"],
   });
+});
+
+test("a difference is amplified until something shows, and not beyond the scale", () => {
+  assert.equal(amplification(0), 1);
+  assert.equal(amplification(255), 1);
+  assert.equal(amplification(1), 200);
+  for (let largest = 1; largest <= 100; largest += 1) {
+    const shown = largest * amplification(largest);
+    assert.ok(shown >= 80 && shown <= 200, `${largest}: ${shown}`);
+  }
+});
+
+test("a color difference is told in words", () => {
+  assert.equal(verdictOf(0), "not visible side by side");
+  assert.equal(verdictOf(0.99), "not visible side by side");
+  assert.equal(verdictOf(1), "hardly visible side by side");
+  assert.equal(verdictOf(3), "visible side by side");
+  assert.equal(verdictOf(40), "plain to see");
 });

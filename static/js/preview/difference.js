@@ -78,6 +78,29 @@ export function ciede2000([L1, a1, b1], [L2, a2, b2]) {
   return Math.sqrt(l * l + c * c + k * k + RT * c * k);
 }
 
+/** Factors by which a difference is amplified, 1, 2 and 5 of each power of ten. */
+const FACTORS = [1, 2, 5, 10, 20, 50, 100, 200];
+/** Of 255: about as much of the scale of colors as is seen at a glance. */
+const SEEN = 200;
+
+/**
+ * How much a difference is amplified so that something shows; 1 where there is none.
+ * @param {number} largest in 8-bit steps
+ */
+export const amplification = (largest) =>
+  FACTORS.filter((factor) => largest > 0 && factor * largest <= SEEN).at(-1) ?? 1;
+
+/** What CIEDE2000 means to those who look, up to each value: 1 is its unit, 2.3 what is just noticed. */
+const VERDICTS = /** @type {const} */ ([
+  [1, "not visible side by side"],
+  [2.3, "hardly visible side by side"],
+  [5, "visible side by side"],
+  [Number.POSITIVE_INFINITY, "plain to see"],
+]);
+
+/** @param {number} colors the largest CIEDE2000 of a picture */
+export const verdictOf = (colors) => VERDICTS.find(([most]) => colors < most)?.[1] ?? "";
+
 /**
  * @typedef {{mean: number, largest: number}} Figures
  * @typedef {{pixels: number, steps: Figures, colors: Figures}} Difference

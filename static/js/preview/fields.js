@@ -24,7 +24,7 @@ export const SEEN = ["split", "flicker", "difference", "left", "right"];
 
 export const BOUNDS = {
   texels: { default: 16, minimum: 2, maximum: 4096 },
-  gain: { default: 5, minimum: 1, maximum: 20 },
+  gain: { default: 5, minimum: 1, maximum: 200 },
   split: { default: 0.5, minimum: 0, maximum: 1 },
   yaw: { default: 0, minimum: -180, maximum: 180 },
   pitch: { default: 11, minimum: 2, maximum: 85 },
@@ -64,7 +64,7 @@ export function previewFields({ models }) {
     texels: whole(number(BOUNDS.texels)),
     see: choice("split", SEEN),
     split: number(BOUNDS.split),
-    gain: number(BOUNDS.gain),
+    gain: number({ ...BOUNDS.gain, default: null }),
     body: choice("paint", ["paint", "clear"]),
     paint: hex("#d8322a"),
     sky: choice("day", ["day", "even"]),

@@ -2,7 +2,7 @@
 
 import { asked, openedAt, readLayers } from "../layers/layers.js";
 import { spectral, unshortened } from "../layers/question.js";
-import { isDispersive } from "../media/media.js";
+import { atWavelength, isDispersive } from "../media/media.js";
 import { decoded } from "../numbers/srgb.js";
 import { mediaQuery, parameterQuery, path, stateName } from "../state/state.js";
 import { codeOf, lutPath, snippetPath } from "../takeaway/fields.js";
@@ -153,6 +153,20 @@ export function sidePaths(state, catalog, side) {
       ]),
     ]),
   );
+}
+
+/**
+ * At which wavelengths a side is evaluated; empty where it is the whole spectrum or none matters.
+ * @param {State} state
+ * @param {Catalog} catalog
+ * @param {Side} side
+ */
+export function lightOf(state, catalog, side) {
+  const asked = Object.keys(sidePaths(state, catalog, side));
+  if (asked.length === CHANNELS.length)
+    return `It takes an index: R, G and B are those at ${CHANNELS.map((name) => CHANNEL_NM[name]).join(", ")} nm.`;
+  const at = asked.includes("curves") ? atWavelength(catalog.materials, state) : "";
+  return at && `Taken ${at} alone.`;
 }
 
 /** Linear shares of a color as style sheets write it. @param {string} color @returns {number[]} */

@@ -8,6 +8,7 @@ import { copying, h } from "../page/dom.js";
 import { html, render } from "../page/lit.js";
 import { loadStyle } from "../page/style.js";
 import { createControls } from "../preview/controls.js";
+import { amplification, verdictOf } from "../preview/difference.js";
 import { EXAMPLES, isShown } from "../preview/examples.js";
 import {
   BOUNDS,
@@ -20,7 +21,7 @@ import {
   SHORTCUT,
   sided,
 } from "../preview/fields.js";
-import { queries } from "../preview/queries.js";
+import { lightOf, queries } from "../preview/queries.js";
 import { createSides } from "../preview/sides.js";
 import { createStage } from "../preview/stage.js";
 import { createTakeaway } from "../preview/takeaway.js";
@@ -48,7 +49,13 @@ const short = (x) => (x === 0 ? "0" : x < 0.1 ? significant(x, 2) : plain(x, 3))
 /** @param {ViewContext} given */
 export function createView(given) {
   const { element, catalog, actions, say } = given;
-  const state = () => sided(given.state());
+  /** By how much a difference is amplified unless that is set. */
+  let automatic = BOUNDS.gain.default;
+  /** @returns {State} */
+  const state = () => {
+    const now = sided(given.state());
+    return { ...now, gain: now.gain ?? automatic };
+  };
   const context = { ...given, state };
   const sides = createSides(catalog);
   const controls = createControls(context);
@@ -71,6 +78,7 @@ export function createView(given) {
     preset: BOUNDS.gain.default,
     label: "amplified",
     range: [1, 20],
+    wide: [1, 200],
     steps: { step: 1, fine: 0.1, page: 5 },
     onChange: (value, moving) =>
       actions.set({ gain: value }, { history: moving ? "replace" : "push" }),
@@ -106,6 +114,10 @@ export function createView(given) {
             @click=${() => stage.export(`fresnel-preview-${left}-${right}.png`)}>PNG</button>
         </div>
         ${stage.works ? stage.element : NO_WEBGL}
+        <p class="reason" role="status" ?hidden=${see !== "difference"}>${amplified(factor)}
+          <button type="button" class="quiet" aria-pressed=${given.state().gain === null}
+            ?hidden=${given.state().gain === null}
+            @click=${() => actions.set({ gain: null })}>amplify by itself</button></p>
         <div class="amplified" ?hidden=${see !== "difference"}>
           ${gain.element}
           <figure class="legend" aria-label="Legend of the difference">
@@ -123,8 +135,10 @@ export function createView(given) {
           <dl>
             ${FIGURES.map(([of, which, title]) => html`<div><dt>${title}</dt><dd data-difference="${of}.${which}">${last && short(last[of][which])}</dd></div>`)}
           </dl>
+          <p class="verdict-line">${last && `The difference is ${verdictOf(last.colors.largest)}.`}</p>
           <div class="counted">
-            <p class="reason">${last && `over the ${last.pixels.toLocaleString("en")} pixels of a smaller picture that show the surface`}</p>
+            <p class="reason">${last && `Over the ${last.pixels.toLocaleString("en")} pixels of a smaller picture that show the surface.`}
+              Smooth surfaces only: a rough one mixes many angles, and is out of this picture's scope.</p>
             <button type="button" class="quiet" aria-label="Copy the differences as JSON, in full precision"
               ?disabled=${!measured}
               @click=${copying(copied, say, "The differences were copied.", "The browser refused to copy.")}>copy</button>
@@ -134,11 +148,27 @@ export function createView(given) {
     );
   }
 
+  /** What is done to the difference, in words. @param {number} factor */
+  function amplified(factor) {
+    if (!last) return "";
+    if (last.steps.largest === 0) return "Both sides are the same in every 8-bit step.";
+    const own = given.state().gain === null ? ", so that something shows" : "";
+    return factor === 1
+      ? "The difference is shown as it is."
+      : `The difference is amplified ${plain(factor, 3)} times${own}.`;
+  }
+
   /** @param {Difference | null} difference */
   function show(difference) {
     measured = difference;
     last = difference ?? last;
+    const factor = amplification(last?.steps.largest ?? 0);
+    const changes = difference !== null && factor !== automatic;
+    if (changes) automatic = factor;
     draw();
+    // The picture is drawn anew with it.
+    if (changes && state().see === "difference" && given.state().gain === null)
+      actions.set({}, { history: "none" });
   }
 
   /** @param {State} now @param {'left' | 'right'} side */
@@ -162,14 +192,16 @@ export function createView(given) {
   return {
     /** @param {State} next @param {Record<string, any>} answers @param {boolean} moving */
     update(next, answers, moving) {
-      const now = sided(next);
+      const now = state();
       if (!moving) takeaway.update(answers);
       // Code and tables arrive later, and change nothing in the picture.
       const parts = Object.keys(queries(now, catalog)).map((name) => answers[name]);
       shortcuts = answers.shortcuts?.models ?? shortcuts;
       if (!changed(next, moving, shortcuts, ...parts)) return;
       sides.take(answers);
-      const reasons = { left: sides.reason(now, "left"), right: sides.reason(now, "right") };
+      /** @param {'left' | 'right'} side */
+      const reason = (side) => sides.reason(now, side) || lightOf(now, catalog, side);
+      const reasons = { left: reason("left"), right: reason("right") };
       controls.update(now, reasons, isFilmed(now) ? shortcuts : []);
       examples.update(now);
       choices.update(now);
