@@ -8,7 +8,7 @@ from playwright.sync_api import Page
 
 from tests.browser.explore_page import opened
 
-MOST_BYTES = 120_000  # with their headers, besides Plotly and KaTeX
+MOST_BYTES = 124_000  # with their headers, besides Plotly and KaTeX
 MOST_LATER = 10_000  # what a gesture is drawn from, fetched a second after the first picture
 LATER = ("/kernels.js", "/js/kernels/")
 
