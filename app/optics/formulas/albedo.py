@@ -134,12 +134,12 @@ FORMULAS = (
     Formula(
         id="albedo.allen",
         title="Flatland, Allen's closed form",
-        latex=r"\begin{aligned}A=\frac1{15}\Bigl(&-\frac{2(1+31n^2+15n^4+31n^6+n^8)\,E(m)}"
-        r"{(n^2-1)^{3/2}(1+n^2)^2}\\&+\frac{1}{(n^4-1)^3}\bigl[(n^2-1)\{(1+n^2)"
-        r"(7+24n^2+102n^4+10n^6+15n^8)\\&\qquad+30n^3\sqrt{1+n^2}\,(2+n^2+2n^4)"
-        r"\operatorname{arsinh}n\}\\&\quad+2n^2\sqrt{n^2-1}\,\{(-22-15n^2-47n^4-n^6+9n^8+n^{10})\,K(m)"
-        r"\\&\qquad+15n^4(2+n^2+2n^4)\operatorname{Re}\Pi(1+n^2,\,m)\}\bigr]\Bigr),"
-        r"\quad m=\frac{1}{1-n^2}\end{aligned}",
+        latex=r"A=\frac{1}{15}\left(-\frac{2(1+31n^2+15n^4+31n^6+n^8)\,E(m)}{(n^2-1)^{3/2}(1+n^2)^2}"
+        r"+\frac{(n^2-1)P+2n^2\sqrt{n^2-1}\,Q}{(n^4-1)^3}\right),"
+        r"\quad P=(1+n^2)(7+24n^2+102n^4+10n^6+15n^8)"
+        r"+30n^3\sqrt{1+n^2}\,(2+n^2+2n^4)\operatorname{arsinh}n,"
+        r"\quad Q=(-22-15n^2-47n^4-n^6+9n^8+n^{10})\,K(m)"
+        r"+15n^4(2+n^2+2n^4)\operatorname{Re}\Pi(1+n^2\mid m),\quad m=\frac{1}{1-n^2}",
         symbols=(
             _N,
             Symbol("m", "parameter of the elliptic integrals, below 0"),
