@@ -132,8 +132,12 @@ async function start() {
   });
 
   const catalog = await firstCatalog(main);
-  if (localStorage.getItem("own-materials") || /(own|rii)(:|%3A)/i.test(location.search))
-    await (await import("./own/kept.js")).bring(catalog, location.search);
+  /** Media that the catalog has not, of the link or besides. @param {unknown} [besides] */
+  async function bring(besides) {
+    if (besides || /(own|rii)(:|%3A)/i.test(location.search))
+      await (await import("./own/kept.js")).bring(catalog, location.search);
+  }
+  await bring(localStorage.getItem("own-materials"));
   const constants = createConstants({
     materials: catalog.materials,
     query: createQuery,
@@ -412,7 +416,7 @@ async function start() {
     follow();
   });
   window.addEventListener("popstate", () => {
-    arrived = arrive(location.href);
+    arrived = bring().then(() => arrive(location.href));
   });
   window.addEventListener("followlink", (event) => {
     const { detail } = /** @type {CustomEvent<string>} */ (event);

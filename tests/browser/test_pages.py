@@ -44,6 +44,23 @@ def test_a_page_is_found_by_keys_and_its_link_shows_it_elsewhere(
     other.context.close()
 
 
+def test_what_history_names_is_brought_after_a_reload(quiet_page: Page) -> None:
+    page = quiet_page
+    page.goto("/?material=rii:main/SF6/Vukovic")
+    field = page.get_by_label("Second medium")
+    expect(field).to_have_value(re.compile("^SF6 .Sulphur"))
+    field.click()
+    field.fill("SF6")
+    expect(page.locator(".media-list [role=option]").nth(1)).to_contain_text("SCHOTT")
+    field.press("ArrowDown")
+    field.press("Enter")
+    expect(page).to_have_url(re.compile("SCHOTT-optical%2FSF6$"))
+    page.reload()
+    expect(field).to_have_value(re.compile(r"^SF6 \(SCHOTT\)"))
+    page.go_back()
+    expect(field).to_have_value(re.compile("^SF6 .Sulphur"))
+
+
 def test_presets_come_before_pages(quiet_page: Page) -> None:
     page = opened(quiet_page)
     field = page.get_by_label("Second medium")
