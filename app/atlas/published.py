@@ -21,13 +21,23 @@ from app.materials.location import data_directory
 from app.optics.parameters import Array
 
 if TYPE_CHECKING:
-    from arro3.core import ChunkedArray, Table
+    from arro3.core import RecordBatch
 
 METADATA = "fresnel_explorer_atlas"
 """Key of what the file says of itself, as JSON."""
 
 Metric = Literal["max_abs", "rms", "albedo_error", "delta_e"]
 METRICS: tuple[Metric, ...] = get_args(Metric)
+
+_BATCH = 65_536
+"""Rows that are read at once."""
+
+_CODED = ("material", "model")
+_FACTS = ("page", "name", "shelf", "kind", "band")
+"""Columns of words: one each row, and one each material."""
+
+_LONGEST_NM = 1e8
+"""Beyond every wavelength that the core takes."""
 
 Floats = NDArray[np.float32]
 Codes = NDArray[np.int32]
@@ -112,32 +122,109 @@ class Atlas:
 
 
 def read_atlas(path: Path) -> Atlas:
-    """Read an atlas as `fresnel-explorer atlas` writes it."""
+    """Read an atlas as `fresnel-explorer atlas` writes it.
+
+    Batch by batch into the arrays that stay: all at once takes three times their memory.
+    """
     from arro3.io import read_parquet
 
-    table = read_parquet(path).read_all()
-    told = {_text(key): value for key, value in table.schema.metadata.items()}
-    material, ids = _names(table, "material")
-    model, models = _names(table, "model")
-    spots, spot, counts = _spots(table, material)
-    of_each = np.zeros((len(ids), len(models)), np.int32)
-    np.add.at(of_each, (material, model), 1)
+    reader = read_parquet(path, batch_size=_BATCH)
+    told = {_text(key): value for key, value in reader.schema.metadata.items()}
+    about = json.loads(_text(told[METADATA]))
+    columns = _Columns(about["rows"])
+    for batch in reader:
+        columns.take(batch)
+    names, material, model = columns.names, columns.codes["material"], columns.codes["model"]
+    spots, owner, middle = columns.spots()
+    counts = np.bincount(owner)
+    # Rows of a material and model stand together, a wavelength each.
+    pairs = material * np.int32(len(names["model"])) + model
+    first = np.flatnonzero(np.diff(pairs, prepend=-1))
+    many = np.diff(first, append=pairs.size)
     # A model that is made for a material at some wavelengths alone is not made for it.
-    of_each[of_each < counts[:, np.newaxis]] = 0
-    errors: dict[Metric, Floats] = {name: _singles(table, name) for name in METRICS}
+    whole = many == counts[material[first]]
+    shape = len(names["material"]), len(names["model"])
     return Atlas(
-        about=json.loads(_text(told[METADATA])),
-        materials=_materials(table, material, ids, spots, spot, counts),
-        models=tuple(models),
+        about=about,
+        materials=_materials(columns, spots, counts, middle),
+        models=tuple(names["model"]),
         spots=spots,
         material=material,
         model=model,
-        spot=spot,
-        in_domain=_singles(table, "in_domain") > 0.0,
-        max_abs_at_deg=_singles(table, "max_abs_at_deg"),
-        errors=errors,
-        worst={name: _worst(values, material, model, of_each) for name, values in errors.items()},
+        spot=np.searchsorted(_keys(owner, spots.wavelength_nm), columns.keys).astype(np.int32),
+        in_domain=columns.in_domain,
+        max_abs_at_deg=columns.singles["max_abs_at_deg"],
+        errors={name: columns.singles[name] for name in METRICS},
+        worst={
+            name: _worst(columns.singles[name], pairs, first, many, whole, shape)
+            for name in METRICS
+        },
     )
+
+
+class _Columns:
+    """Columns of an atlas, filled a batch at a time."""
+
+    def __init__(self, rows: int) -> None:
+        self._filled = 0
+        self.names: dict[str, dict[str, int]] = {name: {} for name in (*_CODED, *_FACTS)}
+        """Words of each column by their codes, in the order in which they first occur."""
+        self.codes = {name: np.empty(rows, np.int32) for name in _CODED}
+        self.singles = {name: np.empty(rows, np.float32) for name in (*METRICS, "max_abs_at_deg")}
+        self.in_domain = np.empty(rows, np.bool_)
+        self.keys = np.empty(rows)
+        """Of material and wavelength together."""
+        self.facts: dict[int, tuple[int, ...]] = {}
+        """By material, what is told of it, as codes."""
+        self._spots: list[Array] = []
+
+    def take(self, batch: RecordBatch) -> None:
+        """Append a batch."""
+        rows = slice(self._filled, self._filled + batch.num_rows)
+        self._filled = rows.stop
+        for name in _CODED:
+            self.codes[name][rows] = self._coded(batch, name)
+        for name, column in self.singles.items():
+            column[rows] = _numbers(batch, name)
+        self.in_domain[rows] = _numbers(batch, "in_domain") > 0.0
+        material, (wavelength_nm, n, k) = (
+            self.codes["material"][rows],
+            (_numbers(batch, name) for name in ("wavelength_nm", "n", "k")),
+        )
+        self.keys[rows] = _keys(material, wavelength_nm)
+        # The exact solution is made for all, so that its rows have each material at each wavelength.
+        exact = self.codes["model"][rows] == self.names["model"]["exact"]
+        spots = (material, wavelength_nm, n, k, _numbers(batch, "middle"))
+        self._spots.append(np.stack([column[exact] for column in spots]))
+        distinct, first = np.unique(material, return_index=True)
+        told = np.stack([self._coded(batch, name)[first] for name in _FACTS], axis=1)
+        self.facts |= zip(distinct.tolist(), map(tuple, told.tolist()), strict=True)
+
+    def spots(self) -> tuple[Spots, NDArray[np.intp], NDArray[np.intp]]:
+        """Materials at each wavelength, whose each is, and which stand for their materials."""
+        material, wavelength_nm, n, k, middle = np.concatenate(self._spots, axis=1)
+        spots = Spots(wavelength_nm, n, k)
+        return spots, material.astype(np.intp), np.flatnonzero(middle)
+
+    def _coded(self, batch: RecordBatch, name: str) -> Codes:
+        from arro3.core import dictionary_dictionary, dictionary_indices
+
+        column, words = batch[name], self.names[name]
+        own = [words.setdefault(w, len(words)) for w in dictionary_dictionary(column).to_pylist()]
+        places = np.asarray(dictionary_indices(column).to_numpy())
+        return np.asarray(np.array(own, np.int32)[places])
+
+
+def _numbers(batch: RecordBatch, name: str) -> Array:
+    """A column as doubles, in which true is 1."""
+    from arro3.core import DataType
+
+    return np.asarray(batch[name].cast(DataType.float64()).to_numpy())
+
+
+def _keys(material: NDArray[np.integer[Any]], wavelength_nm: Array) -> Array:
+    """Numbers that rise with the material and then with the wavelength, which may be NaN."""
+    return np.asarray(material * _LONGEST_NM + np.nan_to_num(wavelength_nm, nan=0.0), np.float64)
 
 
 @cache
@@ -146,62 +233,59 @@ def atlas() -> Atlas:
     return read_atlas(atlas_path())
 
 
-def _spots(table: Table, material: Codes) -> tuple[Spots, Codes, NDArray[np.intp]]:
-    """Wavelengths of materials, which of them each row is at, and how many each material has."""
-    wavelength_nm = _doubles(table, "wavelength_nm")
-    distinct, rank = np.unique(wavelength_nm, return_inverse=True)  # NaN is one of them
-    _, first, spot = np.unique(
-        material.astype(np.int64) * distinct.size + rank, return_index=True, return_inverse=True
-    )
-    spots = Spots(wavelength_nm[first], _doubles(table, "n")[first], _doubles(table, "k")[first])
-    return spots, spot.astype(np.int32), np.bincount(material[first])
+def _worst(
+    errors: Floats,
+    pairs: Codes,
+    first: NDArray[np.intp],
+    many: NDArray[np.intp],
+    whole: NDArray[np.bool_],
+    shape: tuple[int, int],
+) -> Codes:
+    """Row of the largest error of each pair of material and model, else -1.
 
-
-def _worst(errors: Floats, material: Codes, model: Codes, of_each: Codes) -> Codes:
-    """Row of the largest error of each material and model that there are rows of, else -1."""
+    Parameters
+    ----------
+    errors, pairs
+        Of each row, which pair it is of.
+    first, many, whole
+        Of each pair that has rows: where they begin, how many they are, and whether it counts.
+    shape
+        Of materials by models.
+    """
     sizes = np.nan_to_num(np.abs(errors), nan=np.inf)
-    order = np.argsort(sizes, kind="stable")
-    worst = np.full(of_each.shape, -1, np.int32)
-    worst[material[order], model[order]] = order  # sorted by size, the last one stays
-    return np.where(of_each > 0, worst, np.int32(-1))
+    largest = np.maximum.reduceat(sizes, first)
+    rows = np.flatnonzero((sizes == np.repeat(largest, many)) & np.repeat(whole, many))
+    worst = np.full(shape, -1, np.int32)
+    worst.reshape(-1)[pairs[rows]] = rows
+    return worst
 
 
 def _materials(
-    table: Table,
-    material: Codes,
-    ids: list[str],
-    spots: Spots,
-    spot: Codes,
-    counts: NDArray[np.intp],
+    columns: _Columns, spots: Spots, counts: NDArray[np.intp], middle: NDArray[np.intp]
 ) -> tuple[Material, ...]:
-    facts = {name: _names(table, name) for name in ("page", "name", "shelf", "kind", "band")}
-    middle = np.flatnonzero(_singles(table, "middle"))
-    # One row of each material stands for it: of the first model that has one there.
-    _, first = np.unique(material[middle], return_index=True)
-    rows = middle[first].tolist()
-
-    def told(name: str, row: int) -> str:
-        codes, names = facts[name]
-        return names[int(codes[row])]
-
-    return tuple(
-        Material(
-            number=number,
-            id=ids[number],
-            page=told("page", row),
-            name=told("name", row),
-            shelf=told("shelf", row),
-            kind=cast("Kind", told("kind", row)),
-            band=cast("Band", told("band", row)),
-            wavelength_nm=_or_none(spots.wavelength_nm[place]),
-            n=float(spots.n[place]),
-            k=_or_none(spots.k[place]),
-            wavelengths=int(counts[number]),
-            searched=f"{ids[number]} {told('page', row)} {told('name', row)}".casefold(),
+    ids = list(columns.names["material"])
+    words = [list(columns.names[name]) for name in _FACTS]
+    made = []
+    for number, place in enumerate(middle.tolist()):
+        codes = columns.facts[number]
+        page, name, shelf, kind, band = (own[code] for own, code in zip(words, codes, strict=True))
+        made.append(
+            Material(
+                number=number,
+                id=ids[number],
+                page=page,
+                name=name,
+                shelf=shelf,
+                kind=cast("Kind", kind),
+                band=cast("Band", band),
+                wavelength_nm=_or_none(spots.wavelength_nm[place]),
+                n=float(spots.n[place]),
+                k=_or_none(spots.k[place]),
+                wavelengths=int(counts[number]),
+                searched=f"{ids[number]} {page} {name}".casefold(),
+            )
         )
-        for number, row in enumerate(rows)
-        for place in (spot[row],)
-    )
+    return tuple(made)
 
 
 def _or_none(value: float) -> float | None:
@@ -210,29 +294,3 @@ def _or_none(value: float) -> float | None:
 
 def _text(value: bytes | str) -> str:
     return value.decode() if isinstance(value, bytes) else str(value)
-
-
-def _doubles(table: Table, name: str) -> Array:
-    """A column of doubles."""
-    chunks: ChunkedArray = table[name]
-    return np.concatenate([np.asarray(chunk.to_numpy()) for chunk in chunks.chunks])
-
-
-def _singles(table: Table, name: str) -> Floats:
-    """A column in single precision, in which true is 1."""
-    from arro3.core import DataType
-
-    chunks: ChunkedArray = table[name].cast(DataType.float32())
-    return np.concatenate([np.asarray(chunk.to_numpy()) for chunk in chunks.chunks])
-
-
-def _names(table: Table, name: str) -> tuple[Codes, list[str]]:
-    """A column of words as codes, and the words in the order in which they first occur."""
-    from arro3.core import dictionary_dictionary, dictionary_indices
-
-    words: dict[str, int] = {}
-    codes = []
-    for chunk in table[name].chunks:
-        own = [words.setdefault(w, len(words)) for w in dictionary_dictionary(chunk).to_pylist()]
-        codes.append(np.array(own, np.int32)[np.asarray(dictionary_indices(chunk).to_numpy())])
-    return np.concatenate(codes), list(words)
