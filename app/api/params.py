@@ -81,10 +81,12 @@ class InterfaceQuery(QueryModel):
     n_t: Number = number(N_T, examples=[1.5])
     k_t: Number = number(K_T, examples=[0.0])
     material: str | None = preset_name(
-        "Id or alias of a preset in place of n_t and k_t, as listed at /materials; a k that its "
+        "Id or alias of a preset in place of n_t and k_t, as listed at /materials, or a page of "
+        "refractiveindex.info as rii:SHELF/BOOK/PAGE; a k that its "
         "source does not give, or below 1e-6, counts as 0. An index that was measured in air is "
         "made absolute: n_i = 1 is vacuum, and `incident=air` is air.",
         "Au",
+        "rii:main/Ag/Johnson",
     )
     incident: str | None = preset_name(
         "Id or alias of a preset in place of n_i. It must not absorb.",

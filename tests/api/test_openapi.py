@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import fields
+from itertools import chain
 from typing import Any
 
 import pytest
@@ -205,7 +206,8 @@ def test_parameters_of_models(schema: dict[str, Any], model: Any, own: Parameter
 
 
 @pytest.mark.parametrize(
-    "output", [*OUTPUTS.values(), *WITH_LAYERS.values(), InterfaceFacts, Amplitude]
+    "output",
+    [*OUTPUTS.values(), *chain.from_iterable(WITH_LAYERS.values()), InterfaceFacts, Amplitude],
 )
 def test_shapes_of_answers_are_in_the_schema(schema: dict[str, Any], output: type) -> None:
     shape = schema["components"]["schemas"][output.__name__]
