@@ -1,6 +1,8 @@
 """The published atlas, recomputed by other means: textbook quotients, dense angles, 50 digits."""
 
 import json
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -249,3 +251,20 @@ def test_errors_are_those_that_the_program_measures_now() -> None:
         assert errors.max_abs == pytest.approx(
             found.errors["max_abs"][own][which], rel=1e-3, abs=1e-12, nan_ok=True
         ), (material.id, errors.model)
+
+
+def test_a_server_reads_it_when_it_is_asked_for_and_without_what_makes_it() -> None:
+    code = """
+import sys
+from app.main import create_app
+from app.settings import Settings
+heavy = {"arro3", "pyarrow", "distributed", "dask", "pandas"}
+loaded = lambda: sorted(heavy & {name.split(".")[0] for name in sys.modules})
+table = create_app(Settings.model_construct()).state.table
+print(loaded())
+table.ask("/atlas?limit=1")
+print(loaded())
+"""
+    command = [sys.executable, "-W", "error", "-c", code]
+    ended = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert ended.stdout.splitlines() == ["[]", "['arro3']"]
