@@ -427,6 +427,10 @@ async function start() {
     });
   });
   void present(state.get());
+  const preparePrint = () =>
+    void import("./page/print.js").then((print) => print.preparePrint()).catch(() => {});
+  if (document.readyState === "complete") preparePrint();
+  else window.addEventListener("load", preparePrint, { once: true });
   constants.follow(state.get());
   asking.ask();
   schedule();

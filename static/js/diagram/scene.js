@@ -126,10 +126,14 @@ export function signPlaces({ length, arc, unit }, head, both) {
   const before = head.from - clear;
   const behind = head.to + clear;
   /** @param {number} place */
-  const free = (place) => place > arc + 6 * unit && (place <= before || place >= behind);
+  const free = (place) =>
+    place > arc + 6 * unit && place <= length && (place <= before || place >= behind);
   if (!both) {
-    const only = [length * 0.62, before, behind].find(free) ?? behind;
-    return { s: only, p: only };
+    const only = [length * 0.62, before, behind].find(free);
+    if (only !== undefined) return { s: only, p: only };
+    // Where the picture is small, on the shaft rather than beyond the ray.
+    const on = behind > length && before > clear ? before : behind;
+    return { s: on, p: on };
   }
   const [s, p] = [length * 0.54, length * 0.72];
   /** @type {[number, number][]} */
@@ -139,7 +143,10 @@ export function signPlaces({ length, arc, unit }, head, both) {
     [Math.min(s, before), Math.max(p, behind)],
   ];
   const found = pairs.find((pair) => free(pair[0]) && free(pair[1]) && pair[1] - pair[0] >= apart);
-  return found ? { s: found[0], p: found[1] } : { s: behind, p: behind + apart };
+  if (found) return { s: found[0], p: found[1] };
+  return behind + apart > length && before - apart > clear / 2
+    ? { s: before - apart, p: before }
+    : { s: behind, p: behind + apart };
 }
 
 /** Head of an arrow one px long with its tip at the origin, pointing along +x. */

@@ -84,7 +84,7 @@ export function createSource(say) {
   };
 }
 
-const HEADINGS = ["measurement", "Y", "difference", "n", "k", "sample, confidence"];
+const HEADINGS = ["measurement", "Y", "difference", "n", "k"];
 
 /**
  * Measurements of the same material, this one among them, by their reflectance.
@@ -110,12 +110,11 @@ export function createRivals(onPick) {
         const pick = html`<button type="button" class="rival" title=${one.source}
           @click=${() => onPick(one.id)}>${name}</button>`;
         return html`<tr ?data-chosen=${here}>
-          <th scope="row">${here ? html`<b>${name}</b>` : pick}</th>
+          <th scope="row">${here ? html`<b>${name}</b>` : pick}<span class="rival-about">${one.sample}, ${one.confidence}</span></th>
           <td>${fixed(one.luminance)}</td>
           <td>${here ? "shown" : `${by < 0 ? "−" : "+"}${fixed(Math.abs(by))}`}</td>
           <td>${plain(one.n, 4)}</td>
           <td>${narrow(one.k)}</td>
-          <td>${one.sample}, ${one.confidence}</td>
         </tr>`;
       }
       render(

@@ -75,7 +75,7 @@ export function createPresetTable({ onPick, onSettle, onSort, onLeave }) {
         <button type="button" class="entry" title=${page ? source : nothing} tabindex=${id === stop ? 0 : -1} aria-pressed=${id === chosen}>
           ${swatch(preset.swatch?.hex)}
           <span class="entry-name">${name}</span>
-          <span class="entry-about" ?data-page=${Boolean(page)}>${about}</span>
+          <span class="entry-about">${about}</span>
         </button>
       </th>
       ${COLUMNS.slice(1).map((c) => html`<td class="c-${c.name}">${c.print(preset)}</td>`)}

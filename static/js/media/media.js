@@ -372,6 +372,7 @@ export function createField({ label, placeholder = "own value", ...options }) {
       chosen = id;
       own = said;
       if (!list?.isOpen()) input.value = written();
+      input.title = written(); // a long one is cut off
     },
   };
 }

@@ -11,7 +11,6 @@ const quietly = (work) => void work.catch(() => {});
  * @returns {() => void} keeps what is on the screen for when the server does not answer
  */
 export function settleDown({ guest, paths, showVersion }) {
-  quietly(import("./print.js").then(({ preparePrint }) => preparePrint()));
   if (guest) return () => {};
   quietly(load("/health").then((health) => showVersion(health.version)));
   /** @type {typeof import('../server/offline.js') | null} */
