@@ -144,3 +144,12 @@ def test_what_the_atlas_does_not_have_is_told(page: Page) -> None:
     expect(alert).to_be_visible()
     page.get_by_role("button", name="Back to Schlick").click()
     expect(page.locator(SENTENCE)).to_contain_text("Schlick stays within 1 %")
+
+
+def test_it_is_drawn_for_print_with_its_source(quiet_page: Page) -> None:
+    page = opened(quiet_page, "&atlas_kind=metal")
+    page.get_by_role("button", name="For print… (atlas)").click()
+    dialog = page.locator("dialog[open]")
+    expect(dialog.locator("textarea")).to_have_value(re.compile(r"^Schlick: largest error at \d+"))
+    expect(dialog.locator("textarea")).to_have_value(re.compile("C. Schlick"))
+    expect(dialog.locator(".publish-preview img, .publish-preview svg")).to_be_visible()
