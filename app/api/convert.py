@@ -9,7 +9,7 @@ from app.answers.answer import Table
 from app.answers.conversions import Conversions, conversions, table
 from app.answers.materials.rgb_nk import rgb_nk
 from app.api.model_parameters import one_or_three
-from app.api.params import InterfaceQuery, number
+from app.api.params import InterfaceQuery, number, preset_name, refuse_beside, reported_as
 from app.http.problems import BadParameters, ParameterError
 from app.http.query import Number, TableQuery, plain
 from app.http.route import QueryRoute
@@ -18,14 +18,26 @@ from app.materials.schema import Preset
 from app.optics.conversions import (
     F0_LINEAR,
     F0_SRGB,
-    FILAMENT,
     SEEN_FROM,
-    SPECULAR,
     TAKES,
     Form,
     hex_channels,
 )
 from app.optics.edge_tint import EDGE_TINT, REFLECTANCE, TINT_ANGLE
+from app.optics.knobs.dispersion import ABBE
+from app.optics.knobs.reflectance import (
+    COLOR_FACTOR,
+    FACTOR,
+    FILAMENT,
+    GODOT,
+    IOR,
+    KNOBS,
+    LEVEL,
+    REFLECTIVITY,
+    SPECULAR,
+    SPECULAR_IOR,
+    WEIGHT,
+)
 from app.optics.parameters import Parameter
 
 
@@ -59,7 +71,9 @@ class ConvertQuery(InterfaceQuery, TableQuery):
         alias="from",
         description="The form that is given: ior takes n_t (or a material that does not absorb), "
         "nk takes n_t and k_t (or any material), f0 F0, f0_srgb F0_srgb or hex, rg r and g, dg r and "
-        "G, specular and reflectance what they are called.",
+        "G, specular (Disney's) and reflectance (Filament's) what they are called, blender, gltf, "
+        "openpbr, three, unreal (specular) and godot the numbers of their knobs, as listed in `knobs`; "
+        "of several numbers those that are left out are the engine's defaults.",
     )
     F0: OneOrThree = _one_or_three(F0_LINEAR)
     F0_srgb: OneOrThree = _one_or_three(F0_SRGB)
@@ -69,12 +83,39 @@ class ConvertQuery(InterfaceQuery, TableQuery):
     G: OneOrThree = _one_or_three(TINT_ANGLE)
     specular: Number | None = number(SPECULAR)
     reflectance: Number | None = number(FILAMENT)
+    ior: Number | None = number(IOR)
+    specular_ior_level: Number | None = number(LEVEL)
+    specularFactor: Number | None = number(FACTOR)
+    specularColorFactor: OneOrThree = _one_or_three(COLOR_FACTOR)
+    specular_ior: Number | None = number(SPECULAR_IOR)
+    specular_weight: Number | None = number(WEIGHT)
+    reflectivity: Number | None = number(REFLECTIVITY)
+    metallic_specular: Number | None = number(GODOT)
+    abbe: Number | None = Field(
+        None,
+        gt=ABBE.minimum,
+        le=ABBE.maximum,
+        allow_inf_nan=False,
+        description=f"{ABBE.description} It adds the knobs of dispersion.",
+    )
+    dispersion_of: str | None = preset_name(
+        "Id or alias of a clear preset whose measured dispersion tells the Abbe number, in place of "
+        "abbe; the material unless given.",
+        "N-BK7",
+    )
     seen_from: Number = number(SEEN_FROM)
     to: Literal["rgb_nk"] | None = Field(
         None,
         description="`rgb_nk` adds three pairs of n and k that match the color of the material at all "
         "angles, for engines that keep one pair a channel; it takes a material and n_i = 1.",
     )
+
+
+_DEFAULTS: dict[Form, dict[str, float]] = {
+    knob.id: {given.parameter.name: given.default for given in knob.inputs}
+    for knob in KNOBS
+    if len(knob.inputs) > 1
+}
 
 
 def given_values(query: ConvertQuery) -> dict[str, tuple[float, ...]]:
@@ -105,8 +146,11 @@ def given_values(query: ConvertQuery) -> dict[str, tuple[float, ...]]:
             message = "either hex or F0_srgb"
             errors.append({"parameter": "hex", "value": query.hex, "message": message})
         found["F0_srgb"] = hex_channels(query.hex)
+    defaults = _DEFAULTS.get(form, {})
     for name in [name for name in wanted if name not in found]:
         value = getattr(query, name)
+        if value is None:
+            value = defaults.get(name)
         if value is None:
             errors.append({"parameter": name, "value": None, "message": f"needed by from={form}"})
         else:
@@ -118,6 +162,23 @@ def given_values(query: ConvertQuery) -> dict[str, tuple[float, ...]]:
         raise BadParameters({"parameter": "material", "value": query.material, "message": message})
     channels = max(len(values) for values in found.values())
     return {n: v if len(v) == channels else v * channels for n, v in found.items()}
+
+
+def _dispersive(query: ConvertQuery) -> Preset | None:
+    """Return the preset that is asked for its dispersion.
+
+    Raises
+    ------
+    BadParameters
+        If an Abbe number is given besides.
+    UnknownMaterial
+        If there is no such preset.
+    """
+    if query.dispersion_of is None:
+        return None
+    refuse_beside(query, "dispersion_of", "abbe")
+    with reported_as(material="dispersion_of"):
+        return default_catalog().get(query.dispersion_of)
 
 
 def _colored(query: ConvertQuery) -> Preset:
@@ -156,6 +217,8 @@ def router() -> APIRouter:
             seen_from=query.seen_from,
             hex=query.hex,
             material=query.interface().material,
+            abbe=query.abbe,
+            dispersion_of=_dispersive(query),
         )
         if query.to == "rgb_nk":
             found["rgb_nk"] = rgb_nk(_colored(query))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -90,7 +91,42 @@ class Departure:
         )
 
 
-DEPARTURES: Mapping[str, tuple[Departure, ...]] = {
+@dataclass(frozen=True, slots=True)
+class SettingDeparture:
+    """A sentence on what is typed into an engine, with the figure that shows it at normal incidence."""
+
+    text: str
+    """Of `{measured}`, the red channel."""
+    way: str
+    typed: Mapping[str, Any]
+    """What of it has to be typed, of extensions and nested parts as well."""
+
+    def told(self, engine: Engine) -> str:
+        """Fill in what was measured."""
+        return self.text.format(measured=f"{self.measured(engine):.4f}")
+
+    def measured(self, engine: Engine) -> float:
+        """Reflectance of red at normal incidence."""
+        (found,) = (
+            setting
+            for setting in engine.settings
+            if setting.way == self.way and self.typed.items() <= _flat(setting.typed).items()
+        )
+        return float(found.reflectance[0, CHANNELS.index("red")])
+
+
+def _flat(typed: Mapping[str, Any]) -> dict[str, Any]:
+    """Numbers and texts of all levels."""
+    found: dict[str, Any] = {}
+    for name, value in typed.items():
+        if isinstance(value, Mapping):
+            found |= _flat(value)
+        elif not isinstance(value, list):
+            found[name] = value
+    return found
+
+
+DEPARTURES: Mapping[str, tuple[Departure | SettingDeparture, ...]] = {
     "babylon": (
         Departure(
             "OpenPBRMaterial cuts clear media off at grazing incidence, for its F90 is twice the "
@@ -108,6 +144,12 @@ DEPARTURES: Mapping[str, tuple[Departure, ...]] = {
             "light",
             85.0,
         ),
+        SettingDeparture(
+            "OpenPBRMaterial darkens a metal below a clear coat by half: gold, whose red is 0.958 "
+            "without one, reflects {measured} of it with a coat of index 1.5.",
+            "OpenPBRMaterial",
+            {"coatWeight": 1, "coatIor": 1.5},
+        ),
     ),
     "filament": (
         Departure(
@@ -117,6 +159,12 @@ DEPARTURES: Mapping[str, tuple[Departure, ...]] = {
             "glTF, ior",
             "environment",
             0.0,
+        ),
+        SettingDeparture(
+            "specularFactor enters F0 twice: 0.5 of it, which glTF means to halve the 0.04 of glass, "
+            "leaves {measured}.",
+            "glTF",
+            {"specularFactor": 0.5},
         ),
     ),
     "materialx": (

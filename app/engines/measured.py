@@ -61,6 +61,16 @@ class Curve:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Setting:
+    """What an engine reflects of an even environment where something is typed into its knobs."""
+
+    way: str
+    typed: Mapping[str, Any]
+    reflectance: Array
+    """A row an angle, a column a channel."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Engine:
     """Everything measured of one version of an engine."""
 
@@ -76,6 +86,7 @@ class Engine:
     theta_i_deg: Array
     media: tuple[Medium, ...]
     curves: tuple[Curve, ...]
+    settings: tuple[Setting, ...]
 
     def curve(self, medium: str, way: str, light: Light) -> Curve:
         """Return the curve of a medium by its name, entered in one way, under one light."""
@@ -111,6 +122,10 @@ def _engine(told: dict[str, Any]) -> Engine:
         channels_nm=tuple(told["channels_nm"]),
         media=tuple(media.values()),
         curves=curves,
+        settings=tuple(
+            Setting(one["way"], one["typed"], np.array(one["reflectance"]))
+            for one in told.get("settings", ())
+        ),
         **{
             name: told[name]
             for name in ("title", "package", "version", "date", "how", "repeat", "noise")

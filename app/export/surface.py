@@ -12,10 +12,11 @@ from app.materials.appearance import DAYLIGHT, Appearance, appearance
 from app.materials.colored import colored
 from app.materials.rgb_index import ANGLES_DEG, fitted_interface, reflected_at_angles
 from app.materials.schema import Preset
-from app.materials.spectrum import D_LINE_NM, Visible
+from app.materials.spectrum import Visible
 from app.optics.color import WAVELENGTH_NM, Gamut, Space
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface, Kind
+from app.optics.knobs.dispersion import D_LINE_NM
 from app.optics.parameters import Array
 
 OPAQUE_K = 1e-3

@@ -49,6 +49,16 @@ class Basis:
 
 
 @dataclass(frozen=True, slots=True)
+class FilmMode:
+    """How a mode says that there is a film with interference on the surface."""
+
+    model: str
+    """Id of the shortcut among `app.optics.film_models` that stands for the engine."""
+    parameters: Callable[[float, float], dict[str, Typed]]
+    """What is typed besides, of the film's index and its thickness in nm."""
+
+
+@dataclass(frozen=True, slots=True)
 class Mode:
     """One way to write a kind of material for a target."""
 
@@ -65,6 +75,8 @@ class Mode:
     """Sentences on what the target does not know of the material."""
     takes_above_1: bool = True
     """Whether colors above 1 are legal there."""
+    film: FilmMode | None = None
+    """None where the target has no film, or where none stands for what it does."""
 
     def file(self, surface: Surface) -> File:
         """Write a material."""

@@ -13,10 +13,8 @@ from app.materials.dispersion import refractive_index
 from app.materials.errors import WavelengthOutOfRange
 from app.materials.schema import Formula, Points, Quantity, SpectrumFile
 from app.optics.color import WAVELENGTH_NM
+from app.optics.knobs.dispersion import C_LINE_NM, D_LINE_NM, F_LINE_NM
 from app.optics.parameters import Array
-
-D_LINE_NM, F_LINE_NM, C_LINE_NM = 587.5618, 486.1327, 656.2725
-"""Spectral lines of the Abbe number: He d, H F and H C."""
 
 UNKNOWN_K = "k is not known and counts as 0"
 

@@ -19,8 +19,9 @@ References
 """
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -39,23 +40,28 @@ from app.optics.edge_tint import (
 )
 from app.optics.errors import NotAllowed
 from app.optics.interface import Interface, normal_reflectance
+from app.optics.knobs.knob import Knob, KnobId, Seen, Setting, Status
+from app.optics.knobs.reflectance import KNOBS, REFLECTANCE_F0, SPECULAR_F0
 from app.optics.parameters import K_T, N_I, N_T, Array, Parameter, share
 from app.optics.specular import F82, tint_at_82
 
-Status = Literal["exact", "dielectric only", "lossy", "infeasible"]
-Form = Literal["ior", "f0", "f0_srgb", "nk", "rg", "dg", "specular", "reflectance"]
+Form = Literal[
+    "ior",
+    "f0",
+    "f0_srgb",
+    "nk",
+    "rg",
+    "dg",
+    KnobId,
+]
 Value = float | str | None
 
-SPECULAR_F0 = 0.08
-REFLECTANCE_F0 = 0.16
 _LARGEST_CLEAR_INDEX = 6.4  # tellurium's in the infrared: nothing that is transparent has more
 _LARGEST_ETA = 1e5  # beyond it, F0 > 0.99996, there is nothing but a mirror
 
 
 F0_LINEAR = share("F0", "F_0", "Reflectance at normal incidence, linear.", triple=True)
 F0_SRGB = share("F0_srgb", r"F_0^\text{sRGB}", "F0 as an sRGB value, 0 to 1.", triple=True)
-SPECULAR = share("specular", r"\text{specular}", "Specular level, F0 / 0.08.")
-FILAMENT = share("reflectance", r"\text{reflectance}", "Filament's reflectance, sqrt(F0 / 0.16).")
 SEEN_FROM = Parameter(
     "seen_from",
     "n_i'",
@@ -71,10 +77,9 @@ TAKES: dict[Form, tuple[Parameter, ...]] = {
     "nk": (N_T, K_T),
     "f0": (F0_LINEAR,),
     "f0_srgb": (F0_SRGB,),
-    "specular": (SPECULAR,),
-    "reflectance": (FILAMENT,),
     "rg": (REFLECTANCE, EDGE_TINT),
     "dg": (REFLECTANCE, TINT_ANGLE),
+    **{knob.id: tuple(given.parameter for given in knob.inputs) for knob in KNOBS},
 }
 """What each form takes besides n_i."""
 
@@ -125,6 +130,8 @@ class Known:
     """Relative index; None where F0 is all that is known."""
     is_dielectric: bool = False
     """Whether the form is a word for dielectrics alone."""
+    lost: str = ""
+    """What an engine's knob says besides, which no other form has."""
 
     @property
     def has_index(self) -> bool:
@@ -147,6 +154,12 @@ class Known:
         if self.eta is None or self.kappa is None:
             return self.dielectric_eta, 0.0
         return self.eta, self.kappa
+
+    @property
+    def seen(self) -> Seen:
+        """The same for the knobs of engines, to which a metal is the dielectric of its F0."""
+        eta = self.dielectric_eta if self.absorbs else self.index[0]
+        return Seen(self.F0, eta, self.has_index, self.absorbs, self.is_dielectric, self.lost)
 
     def interface(self) -> Interface:
         """The boundary with the relative index, at some n_i that keeps the indices in bounds."""
@@ -195,17 +208,20 @@ def _of_tint(n_i: float, r: Array, index: tuple[Array, Array]) -> Known:
     return Known(n_i, float(r), float(index[0]), float(index[1]))
 
 
+def _of_knob(knob: Knob, n_i: float, *values: Array) -> Known:
+    read = knob.read(*map(float, values))
+    kappa = None if read.eta is None else 0.0
+    return Known(n_i, read.F0, read.eta, kappa, read.eta is None, read.lost)
+
+
 _READERS: dict[Form, Callable[..., Known]] = {
     "ior": lambda n_i, n_t: _of_index(n_i, n_t, np.zeros(())),
     "nk": _of_index,
     "f0": lambda n_i, F0: Known(n_i, float(F0)),
     "f0_srgb": lambda n_i, F0_srgb: Known(n_i, float(decode_srgb(F0_srgb))),
-    "specular": lambda n_i, specular: Known(n_i, SPECULAR_F0 * float(specular), is_dielectric=True),
-    "reflectance": lambda n_i, reflectance: Known(
-        n_i, REFLECTANCE_F0 * float(reflectance) ** 2, is_dielectric=True
-    ),
     "rg": lambda n_i, r, g: _of_tint(n_i, r, gulbrandsen_index(r, g)),
     "dg": lambda n_i, r, G: _of_tint(n_i, r, deon_index(r, G)),
+    **{knob.id: partial(_of_knob, knob) for knob in KNOBS},
 }
 
 
@@ -238,7 +254,7 @@ def convert(known: Known, seen_from: float = 1.333) -> list[Conversion]:
         If `seen_from` is out of its bounds.
     """
     other = float(SEEN_FROM.check(seen_from))
-    return [
+    found = [
         _ior(known),
         _nk(known),
         *_f0(known),
@@ -249,6 +265,19 @@ def convert(known: Known, seen_from: float = 1.333) -> list[Conversion]:
         *_f82(known),
         _seen_from(known, other),
     ]
+    if not known.lost:
+        return found
+    return [
+        replace(one, status="lossy", why=known.lost)
+        if one.status in ("exact", "dielectric only")
+        else one
+        for one in found
+    ]
+
+
+def settings(channels: Sequence[Known]) -> list[tuple[Knob, Setting]]:
+    """Say what to type into every engine's knob for an interface of one channel or of three."""
+    return [(knob, knob.write([known.seen for known in channels])) for knob in KNOBS]
 
 
 _ONE_OF_MANY = "F0 is one number and n, k are two: every index on a circle has this F0"

@@ -111,3 +111,75 @@ def test_as_csv(get: Ask) -> None:
     assert [row["red"], row["green"], row["blue"]] == ["1.0", "0.5", "0.0"]
     (code,) = [row for row in triple if row["name"] == "hex"]
     assert code["value"] == "#ffbc00"
+
+
+def knobs(answer: httpx.Response) -> dict[str, dict[str, Any]]:
+    return {knob["knob"]: knob for knob in json_of(answer)["knobs"]}
+
+
+def typed(knob: dict[str, Any]) -> dict[str, Any]:
+    return {given["name"]: given["value"] for given in knob["inputs"]}
+
+
+def test_knobs_are_forms_that_come_back(get: Ask) -> None:
+    """Each setting of a clear medium, given again, is the same medium."""
+    found = knobs(get(n_t=1.45))
+    assert len(found) == 8
+    for form, knob in found.items():
+        assert knob["status"] == "exact", form
+        again = results(get(from_=form, **typed(knob)))
+        assert again["ior"]["values"]["n_t"] == pytest.approx(1.45, rel=1e-9), form
+    level = found["blender"]["inputs"][1]
+    assert (level["label"], level["value"], level["default"]) == ("Specular IOR Level", 0.5, 0.5)
+    assert (level["minimum"], level["maximum"]) == (0.0, 1.0)
+    assert found["blender"]["measured"] == ["Blender Cycles 5.2.3"]
+    assert found["unreal"]["measured"] == []
+
+
+def test_defaults_of_a_knob_of_several_numbers(get: Ask) -> None:
+    glass = results(get(from_="gltf"))
+    assert glass["f0"]["values"]["F0"] == pytest.approx(0.04, rel=1e-12)
+    half = get(from_="openpbr", specular_weight=0.5)
+    assert results(half)["f0"]["values"]["F0"] == pytest.approx(0.02, rel=1e-12)
+    assert half.json()["given"] == {"specular_ior": 1.5, "specular_weight": 0.5}
+    assert results(half)["f0"]["status"] == "lossy"
+    refused = get(from_="three").json()["errors"]
+    assert [error["parameter"] for error in refused] == ["reflectivity"]
+    foreign = get(from_="three", reflectivity=0.5, specular_weight=1).json()["errors"]
+    assert foreign[0]["message"] == "not beside from=three, which takes reflectivity"
+    (below,) = get(from_="gltf", ior=0.5).json()["errors"]
+    assert (below["parameter"], below["value"]) == ("ior", "0.5")
+
+
+def test_a_colored_specular(get: Ask) -> None:
+    found = get(from_="gltf", ior=1.5, specularColorFactor="1,0.5,0.25")
+    assert results(found)["f0"]["values"]["F0"] == pytest.approx([0.04, 0.02, 0.01])
+    assert typed(knobs(found)["gltf"])["specularColorFactor"] == pytest.approx([1.0, 0.5, 0.25])
+    assert typed(knobs(found)["specular"])["specular"] is None
+    rows = rows_of(get(from_="gltf", specularColorFactor="1,0.5,0.25", format="csv"))
+    (row,) = [row for row in rows if row["name"] == "specularColorFactor"]
+    assert [row["form"], row["red"], row["blue"]] == ["gltf", "1.0", "0.25"]
+
+
+def test_dispersion_of_a_glass(get: Ask) -> None:
+    """Schott prints V_d = 64.17 for N-BK7."""
+    found = json_of(get(material="N-BK7"))["dispersion"]
+    assert found["abbe"] == pytest.approx(64.17, abs=0.005)
+    gltf, openpbr = found["knobs"]
+    assert typed(gltf)["dispersion"] == pytest.approx(20.0 / 64.17, abs=5e-5)
+    assert typed(openpbr)["transmission_dispersion_abbe_number"] == found["abbe"]
+    assert typed(openpbr)["transmission_dispersion_scale"] == 1.0
+    # Schott's catalog: n_F = 1.52238, n_C = 1.51432, of which half their difference is 0.00403.
+    off = max(abs(1.51680 + 0.00403 - 1.52238), abs(1.51680 - 0.00403 - 1.51432))
+    assert gltf["why"].startswith("V_d comes back; n is off by at most ")
+    assert float(gltf["why"].split()[9]) == pytest.approx(off, abs=1e-4)
+    assert json_of(get(n_t=1.7, dispersion_of="N-BK7"))["dispersion"] == found
+    given = json_of(get(n_t=1.5, abbe=40))["dispersion"]
+    assert typed(given["knobs"][0]) == {"dispersion": 0.5}
+    assert given["knobs"][0]["status"] == "exact"
+    none = json_of(get(n_t=1.5, dispersion_of="Au"))["dispersion"]
+    assert none["abbe"] is None
+    assert none["knobs"] == []
+    assert "dispersion" not in json_of(get(from_="nk", material="Au"))
+    (both,) = get(abbe=40, dispersion_of="N-BK7").json()["errors"]
+    assert both["parameter"] == "abbe"

@@ -14,7 +14,7 @@ from app.materials.appearance import Viewing, appearance
 from app.materials.media import default_catalog
 from app.optics.color import decode_srgb
 from app.optics.interface import Interface
-from tests.api.shape import Ask
+from tests.api.shape import Ask, error_of, json_of
 
 IDS = [preset.id for preset in default_catalog().presets]
 
@@ -276,3 +276,28 @@ def test_answers_have_names_and_wavelengths_a_unit(app: FastAPI) -> None:
         for parameter in methods["get"]["parameters"]:
             if parameter["name"].endswith("_nm") and parameter["name"] != "wavelengths_nm":
                 assert "nm" in parameter["description"], (path, parameter["name"])
+
+
+@pytest.mark.parametrize("cover", ["medium", "coat", "pane"])
+def test_a_material_under_something(ask: Ask, cover: str) -> None:
+    told = json_of(ask("/materials/Au/covered", cover=cover, of="water", illuminant="E"))
+    assert told["medium"]["incident"]["id"] == "water"
+    assert len(told["theta_i_deg"]) == len(told["reflectance"]) == 90
+    assert told["reflectance"][0] == pytest.approx(
+        json_of(
+            ask("/materials/Au/covered", cover=cover, of="water", gamut="unclamped", illuminant="E")
+        )["whole"]["F0"],
+        abs=1e-12,
+    )
+    assert bool(told["shortcuts"]) == (cover == "coat")
+    below = {"medium": told["whole"], "coat": told["below"], "pane": told["air"]}
+    assert told["below"]["F0"] == pytest.approx(below[cover]["F0"], abs=1e-12)
+
+
+def test_a_cover_that_is_none(ask: Ask) -> None:
+    both = error_of(ask("/materials/Au/covered", n=1.4, of="water"))
+    assert both["parameter"] == "n"
+    dark = error_of(ask("/materials/Au/covered", of="Cu"))
+    assert (dark["parameter"], "transparent" in dark["message"]) == ("of", True)
+    thin = error_of(ask("/materials/Au/covered", n=0.5))
+    assert thin["parameter"] == "n"

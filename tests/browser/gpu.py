@@ -104,6 +104,18 @@ _WEBGPU = """async ([source, rows, width]) => {
 }"""
 
 
+def draw(page: Page, source: str, rows: Array) -> Array | str:
+    """Run a fragment shader that reads `given`, a column a pixel, or say why that cannot be done here.
+
+    Returns
+    -------
+    Array
+        Of shape (pixels, 4).
+    """
+    found = page.evaluate(_WEBGL, [source, rows.ravel().tolist(), rows.shape[1]])
+    return found if isinstance(found, str) else np.array(found).reshape(-1, 4)
+
+
 def run(
     page: Page, language: str, code: str, name: str, per_channel: list[bool], given: Array
 ) -> Array | str:

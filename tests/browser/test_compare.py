@@ -304,3 +304,26 @@ def test_fits_its_screen(page: Page, width: int) -> None:
     page.locator(".conversions tr").first.wait_for(state="attached")
     wide = page.evaluate("() => document.documentElement.scrollWidth")
     assert wide <= width
+
+
+def test_knobs_of_engines_are_told_and_taken(quiet_page: Page) -> None:
+    page = opened(quiet_page, "&n_t=1.45")
+    knobs = page.locator(".knobs tbody tr")
+    expect(knobs).to_have_count(8)
+    told = {knob["knob"]: knob for knob in api(page, "/convert?n_t=1.45")["knobs"]}
+    unreal = knobs.filter(has_text="Unreal")
+    specular = told["unreal"]["inputs"][0]["value"]
+    expect(unreal.locator(".converted")).to_have_text(f"Specular {specular:.6g}")
+    unreal.locator("summary").click()
+    expect(unreal).to_contain_text("Specular: 0 to 1, 0.5 unless typed")
+    page.get_by_label("What is given").select_option("gltf")
+    page.get_by_label("glTF's ior and specular, specularFactor").fill("0.5")
+    page.keyboard.press("Tab")
+    expect(knobs.filter(has_text="Blender")).to_contain_text("specularFactor is F90 as well")
+    assert link(page)["given"] == "1.45;0.5;1"
+
+
+def test_dispersion_of_the_material_is_told(quiet_page: Page) -> None:
+    page = opened(quiet_page, "&material=BK7")
+    row = page.locator(".knobs tr", has_text="glTF, dispersion")
+    expect(row.locator(".converted")).to_contain_text("dispersion 0.311")

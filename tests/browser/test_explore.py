@@ -407,3 +407,16 @@ def test_more_widens_the_slider(quiet_page: Page) -> None:
     assert page.locator("#n_t-slider").get_attribute("max") == "3"
     row.get_by_role("button", name="more").click()
     assert float(page.locator("#n_t-slider").get_attribute("max") or 0) == 10
+
+
+def test_the_boundary_is_taken_to_an_engine(quiet_page: Page) -> None:
+    page = opened(quiet_page, "?n_t=1.6")
+    fold = page.locator("details.definitions", has_text="Use it in").first
+    fold.locator("summary").first.click()
+    panel = fold.locator(".take")
+    expect(panel.locator(".parameters")).to_contain_text("1.6")
+    panel.get_by_text("Mitsuba", exact=True).click()
+    expect(panel).to_contain_text("int_ior")
+    with page.expect_download() as waiting:
+        panel.get_by_role("button", name="save").click()
+    assert waiting.value.suggested_filename == "own_n_1_6_mitsuba.json"

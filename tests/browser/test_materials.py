@@ -473,3 +473,22 @@ def test_what_an_engine_cannot_take_is_said(page: Page) -> None:
     choose(page, ".sheet.take", "OpenPBR")
     expect(panel.locator(".row-error")).to_be_empty()
     expect(panel).to_contain_text("open_pbr_surface, metal")
+
+
+def test_gold_under_a_coat_and_under_water(quiet_page: Page) -> None:
+    page = opened(quiet_page, "&preset=Au")
+    panel = page.locator(".sheet.covered")
+    expect(panel.get_by_role("row", name="coat and material together")).to_be_visible()
+    told = page.request.get("/api/v1/materials/Au/covered?gamut=scaled").json()
+    shortcuts = panel.get_by_role("region", name="Shortcuts for a coat").locator("tbody tr")
+    expect(shortcuts).to_have_count(len(told["shortcuts"]))
+    index = panel.get_by_role("textbox")
+    index.fill("1.33")
+    index.press("Enter")
+    choose(page, ".sheet.covered", "a medium")
+    expect(panel.get_by_role("row", name="seen from the medium")).to_be_visible()
+    expect(shortcuts).to_have_count(0)
+    assert (link(page)["cover"], link(page)["cover_n"]) == ("medium", "1.33")
+    index.fill("0.5")
+    index.press("Enter")
+    expect(index).to_have_attribute("aria-invalid", "true")

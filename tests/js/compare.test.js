@@ -290,6 +290,14 @@ test("what is converted follows the media, the boxes and the picture's color", (
     convertPath(stateWith({ from: "rg", given: "0.9, 0.8,0.7;0.5", seen_from: 1.5 })),
     "/convert?from=rg&r=0.9,0.8,0.7&g=0.5&seen_from=1.5",
   );
+  assert.equal(
+    convertPath(stateWith({ material: "N-BK7" })),
+    "/convert?from=ior&n_t=1.5&dispersion_of=N-BK7",
+  );
+  assert.equal(
+    convertPath(stateWith({ from: "gltf", given: "1.5;0.5;1,0.8,0.6" })),
+    "/convert?from=gltf&ior=1.5&specularFactor=0.5&specularColorFactor=1,0.8,0.6",
+  );
   assert.deepEqual(texts({ from: "nk", given: null }), ["0.27", "2.9"]);
   assert.equal(printValue([1, null, 0.5]), "1, none, 0.5000");
   const results = [

@@ -6,7 +6,6 @@ import { materialFields, wavelengths } from "../../static/js/materials/fields.js
 import { queries, restCalls, rivalsOf, shown } from "../../static/js/materials/queries.js";
 import { citation, condition, reference } from "../../static/js/materials/source.js";
 import { limits, shortName } from "../../static/js/materials/spectrum.js";
-import { off, typed } from "../../static/js/materials/use.js";
 import {
   stretch,
   wavelength,
@@ -18,6 +17,7 @@ import { decoded } from "../../static/js/numbers/srgb.js";
 import { bandShapes } from "../../static/js/plot/bands.js";
 import { arrange, logTicks } from "../../static/js/plot/figure.js";
 import { LinkError } from "../../static/js/state/state.js";
+import { off, typed } from "../../static/js/takeaway/use.js";
 import { pick } from "./catalog.js";
 
 /** @param {string} id @param {any} [more] @returns {any} */
@@ -82,12 +82,12 @@ test("only what a preset has is asked for", () => {
   const gold = queries(STATE, CATALOG);
   assert.equal(
     Object.keys(gold).join(" "),
-    "list detail use index spectrum angles colors map rival:Au-Johnson rival:Au-Babar",
+    "list detail use covered index spectrum angles colors map rival:Au-Johnson rival:Au-Babar",
   );
   assert.equal(gold.detail, "/materials/Au");
   assert.equal(gold.angles, "/materials/Au/curves?rgb=false");
   const water = queries({ ...STATE, preset: "water" }, CATALOG);
-  assert.deepEqual(Object.keys(water), ["list", "detail", "use", "index"]);
+  assert.deepEqual(Object.keys(water), ["list", "detail", "use", "covered", "index"]);
   assert.equal(water.index, "/curves?n_t=1.333&models=exact,schlick");
   assert.deepEqual(Object.keys(queries(STATE, CATALOG, true)), ["list", "detail"]);
 });

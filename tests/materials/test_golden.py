@@ -5,9 +5,9 @@ import pytest
 
 from app.materials.appearance import appearance
 from app.materials.catalog import Catalog
-from app.materials.spectrum import D_LINE_NM
 from app.optics.color import linear_srgb
 from app.optics.interface import Interface
+from app.optics.knobs.dispersion import D_LINE_NM
 
 TABLE = 2e-3
 """How far F0 and F82 may be from the table below, per channel."""

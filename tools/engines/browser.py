@@ -18,7 +18,7 @@ from typing import Any
 
 from playwright.sync_api import Page, sync_playwright
 
-from tools.engines.questions import asked
+from tools.engines.questions import Settings, asked
 from tools.engines.results import Told
 
 SCRIPTS = Path(__file__).parent / "web"
@@ -34,7 +34,12 @@ _GRAY = base64.b64decode(
 
 
 def told(
-    package: str, version: str, script: str, modules: Mapping[str, str], source: str = "npm"
+    package: str,
+    version: str,
+    script: str,
+    modules: Mapping[str, str],
+    source: str = "npm",
+    settings: Settings = (),
 ) -> list[Told]:
     """Run a package in the browser and return the curves that its script finds.
 
@@ -48,8 +53,10 @@ def told(
         What the names that the script imports stand for, in the folder of packages.
     source
         "npm" or "pip".
+    settings
+        What is typed besides the media.
     """
-    questions = asked()
+    questions = asked(settings)
     with TemporaryDirectory() as name:
         folder = Path(name)
         if source == "npm":
@@ -65,7 +72,7 @@ def told(
         with _page(folder) as page:
             found: list[Told] = page.evaluate(
                 "async (asked) => (await import('/web/measure.js')).measure(...asked)",
-                [script, questions["media"], questions["theta_i_deg"]],
+                [script, *questions.values()],
             )
     return found
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
-from tools.engines import browser, package
+from tools.engines import browser, package, settings
 from tools.engines.results import Told
 
 
@@ -36,21 +36,31 @@ ENGINES = {
         "three",
         "0.187.0",
         f"{_PLANE}; MeshPhysicalMaterial, float pixels.",
-        partial(browser.told, script="three", modules={"three": "three/build/three.module.js"}),
+        partial(
+            browser.told,
+            script="three",
+            modules={"three": "three/build/three.module.js"},
+            settings=settings.THREE,
+        ),
     ),
     "babylon": Engine(
         "Babylon.js",
         "@babylonjs/core",
         "9.35.0",
         f"{_PLANE}; PBRMaterial and OpenPBRMaterial, float pixels, its noise picture even.",
-        partial(browser.told, script="babylon", modules={"@babylonjs/core/": "@babylonjs/core/"}),
+        partial(
+            browser.told,
+            script="babylon",
+            modules={"@babylonjs/core/": "@babylonjs/core/"},
+            settings=settings.BABYLON,
+        ),
     ),
     "filament": Engine(
         "Filament",
         "filament",
         "1.53.4",
         f"{_PLANE}; glTF files by its own loader, half-float pixels, no post-processing.",
-        partial(browser.told, script="filament", modules={}),
+        partial(browser.told, script="filament", modules={}, settings=settings.FILAMENT),
         rounding=2.0**-12,
     ),
     "playcanvas": Engine(
@@ -93,6 +103,11 @@ ENGINES = {
         "bpy",
         "5.2.3",
         "A mirror-smooth plane under a white world, orthographic camera, 64 samples, 32-bit EXR.",
-        partial(package.told, script="cycles_planes.py", python="3.13"),
+        partial(
+            package.told,
+            script="cycles_planes.py",
+            python="3.13",
+            settings=settings.CYCLES,
+        ),
     ),
 }

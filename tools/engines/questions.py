@@ -6,6 +6,7 @@ so that its exact curves are three calls of the formula and owe nothing to a col
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,6 +23,9 @@ THETA_I_DEG = np.array([*range(0, 60, 5), *range(60, 80, 2), *range(80, 90)], fl
 
 CHANNELS_NM = (650.0, 550.0, 450.0)
 """The wavelengths at which a metal's red, green and blue are read."""
+
+Settings = Sequence[tuple[str, dict[str, Any]]]
+"""Ways of an engine, each with what is typed."""
 
 CLEAR = {"n = 1": 1.0, "water": 1.33, "glass": 1.5, "diamond": 2.42}
 METALS = {"gold": "Au", "copper": "Cu", "aluminium": "Al", "chromium": "Cr"}
@@ -78,8 +82,14 @@ def media() -> list[Medium]:
     return [*clear, *metals]
 
 
-def asked() -> dict[str, Any]:
-    """Return the questions as JSON has them, with what the engines are given for a metal."""
+def asked(settings: Settings = ()) -> dict[str, Any]:
+    """Return the questions as JSON has them, with what the engines are given for a metal.
+
+    Parameters
+    ----------
+    settings
+        What is typed besides the media, by the way of the engine that it belongs to.
+    """
     told = [
         {
             "name": medium.name,
@@ -91,4 +101,4 @@ def asked() -> dict[str, Any]:
         }
         for medium in (WHITE, *media())
     ]
-    return {"media": told, "theta_i_deg": THETA_I_DEG.tolist()}
+    return {"media": told, "theta_i_deg": THETA_I_DEG.tolist(), "settings": list(settings)}

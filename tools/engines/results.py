@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 
 FOLDER = Path(__file__).resolve().parents[2] / "materials" / "engines"
 
+SETTINGS = "settings"
+"""Stands for the medium where an engine was asked for what is typed, in the even environment."""
+
 # Engines compute in single precision at best.
 _DIGITS = 6
 
@@ -50,7 +53,12 @@ def write(name: str, engine: Engine, curves: list[Told]) -> Path:
         "channels_nm": CHANNELS_NM,
         "media": [{"name": m.name, "n": m.n, "k": m.k} for m in media()],
         "theta_i_deg": THETA_I_DEG.tolist(),
-        "curves": [_rounded(dict(c)) for c in curves if c["medium"] != WHITE.name],
+        "curves": [_rounded(dict(c)) for c in curves if c["medium"] not in (WHITE.name, SETTINGS)],
+        "settings": [
+            {key: _rounded(c[key]) for key in ("way", "typed", "reflectance")}
+            for c in curves
+            if c["medium"] == SETTINGS
+        ],
     }
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / f"{name}.json"
@@ -60,7 +68,7 @@ def write(name: str, engine: Engine, curves: list[Told]) -> Path:
 
 def _lines(value: Any) -> str:
     """Write lists of objects an object a line, all else on one."""
-    if isinstance(value, list) and isinstance(value[0], dict):
+    if isinstance(value, list) and value and isinstance(value[0], dict):
         return "[\n" + ",\n".join(json.dumps(v) for v in value) + "\n]"
     return json.dumps(value)
 

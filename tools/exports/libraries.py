@@ -22,7 +22,9 @@ class Library:
     script: str
     targets: tuple[TargetId, ...]
     python: str | None = "3.11"
-    """The Python that the package is built for; None for a package of npm."""
+    """The Python that the package is run with; None for a package of npm."""
+    in_tests: bool = True
+    """Whether it is among what the tests install."""
 
 
 LIBRARIES = (
@@ -30,8 +32,8 @@ LIBRARIES = (
     Library("usd-core", "26.11", "usd_check.py", ("usd",)),
     Library("mitsuba", "3.9.1", "mitsuba_check.py", ("mitsuba",)),
     Library("gltf-validator", "2.0.0-dev.3.10", "gltf_check.mjs", ("gltf",), python=None),
-    Library("pyluxcore", "2.11.2", "luxcore_check.py", ("luxcore",)),
-    Library("bpy", "5.2.3", "blender_check.py", ("blender",), python="3.13"),
+    Library("pyluxcore", "2.11.2", "luxcore_check.py", ("luxcore",), in_tests=False),
+    Library("bpy", "5.2.3", "blender_check.py", ("blender",), "3.13", in_tests=False),
 )
 
 

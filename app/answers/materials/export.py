@@ -2,21 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from app.answers.answer import Rows, Values, answer, filled
+from app.answers.film_media import FilmMedia, Side
 from app.answers.materials.about import About
 from app.answers.materials.rgb_nk import SpectralError
 from app.engines.measured import engines
+from app.export.film import TypedFilm, film_curve
 from app.export.registry import TARGETS
-from app.export.surface import Surface, Typed
-from app.export.target import Basis, File, Mode, ModeId, TargetId
+from app.export.surface import OPAQUE_K, Surface, Typed
+from app.export.target import Basis, File, Mode, ModeId, Target, TargetId
 from app.materials.appearance import DAYLIGHT
+from app.materials.films import Film, film_constants
+from app.materials.front import Front
 from app.materials.rgb_index import ANGLES_DEG
 from app.materials.schema import Preset
-from app.optics.color import Gamut, Space
+from app.optics.color import WAVELENGTH_NM, Gamut, Space, srgb_weights
 from app.optics.errors import NotAllowed
+from app.optics.film_color import swept_colors
+from app.optics.incidence import Incidence
 from app.optics.interface import Kind
+from app.optics.knobs.dispersion import D_LINE_NM
 from app.optics.parameters import Array
 
 SHOWN_DEG = (0.0, 30.0, 60.0, 80.0, 85.0)
@@ -66,6 +75,19 @@ class ExportError(SpectralError):
 
 
 @answer
+class ExportedFilm:
+    """The film on the surface, as it is typed."""
+
+    medium: str
+    """As it was asked for: a preset or an index."""
+    n: float
+    """At the d line, 587.6 nm: engines have one index for all wavelengths."""
+    thickness_nm: float
+    model: str
+    """Id among /films/models of the shortcut that the engine takes for it."""
+
+
+@answer
 class Export:
     """A material for an engine."""
 
@@ -92,10 +114,14 @@ class Export:
     spectrum: Rows
     """What the spectrum reflects there, not clamped."""
     warnings: tuple[str, ...]
+    film: ExportedFilm | None
+    """The film with interference on the surface; null where it is bare."""
 
 
-def chosen_mode(surface: Surface, to: TargetId, mode: ModeId | None) -> Mode:
-    """Look up how a surface is written for a target.
+def chosen_mode(
+    surface: Surface, to: TargetId, mode: ModeId | None, film: Film | None = None
+) -> Mode:
+    """Look up how a surface, with or without a film, is written for a target.
 
     Raises
     ------
@@ -104,7 +130,7 @@ def chosen_mode(surface: Surface, to: TargetId, mode: ModeId | None) -> Mode:
         leaves outside 0 to 1.
     """
     target = TARGETS[to]
-    able = target.of(surface.kind)
+    able = _able(target, surface, film)
     found = next((m for m in able if mode in (None, m.id)), None)
     if found is None:
         told = "opaque" if surface.kind == "conductor" else "clear"
@@ -119,12 +145,91 @@ def chosen_mode(surface: Surface, to: TargetId, mode: ModeId | None) -> Mode:
     return found
 
 
+def _able(target: Target, surface: Surface, film: Film | None) -> tuple[Mode, ...]:
+    """Return the modes that a target has for a surface.
+
+    Raises
+    ------
+    NotAllowed
+        If there is a film and the target has none.
+    """
+    able = target.of(surface.kind)
+    if film is None:
+        return able
+    coated = tuple(mode for mode in able if mode.film is not None)
+    if not coated:
+        known = [each.id for each in TARGETS.values() if any(m.film for m in each.of(surface.kind))]
+        allowed = f"none for to = {target.id}, which has no film; {', '.join(known)} have one"
+        raise NotAllowed("layers", film.spelled, allowed)
+    if surface.space != "srgb":
+        raise NotAllowed("space", surface.space, "srgb with a film, whose color is made there")
+    return coated
+
+
+def one_film(films: Sequence[Film]) -> Film:
+    """Return the film that an engine can have.
+
+    Raises
+    ------
+    NotAllowed
+        If there are several, or it is so thick that nothing interferes.
+    """
+    if len(films) != 1 or films[0].incoherent:
+        spelled = ",".join(film.spelled for film in films)
+        raise NotAllowed("layers", spelled, "one film with interference: engines know no more")
+    return films[0]
+
+
+def _typed_film(film: Film, to: TargetId) -> tuple[TypedFilm, bool]:
+    """Return what is typed of a film, and whether it absorbs."""
+    constants = film_constants(film, None)
+    n, k = (np.broadcast_to(values, WAVELENGTH_NM.shape) for values in (constants.n, constants.k))
+    index = float(np.interp(D_LINE_NM, WAVELENGTH_NM, n))
+    if to == "gltf" and index < 1.0:
+        raise NotAllowed(
+            "layers", film.spelled, f"n of at least 1 for to = gltf; it is {index:.4g}"
+        )
+    return TypedFilm(index, film.thickness_nm or 0.0), bool(k.max() >= OPAQUE_K)
+
+
+def _film_truth(preset: Preset, film: Film) -> Array:
+    """Linear sRGB of the film on the material at `ANGLES_DEG`, from the whole spectrum."""
+    index = complex(preset.n_absolute, preset.k or 0.0)
+    side = Side(index, preset.id if preset.kind == "spectrum" else None)
+    stack, _ = FilmMedia(Front(1.0), (film,), side).visible()
+    thickness = np.array([film.thickness_nm or 0.0])
+    incidence = Incidence.from_degrees(ANGLES_DEG)
+    return np.asarray(swept_colors(stack, 0, thickness, incidence, srgb_weights(*DAYLIGHT))[0])
+
+
+def _typed(
+    mode: Mode, surface: Surface, to: TargetId, film: Film | None
+) -> tuple[dict[str, Typed], TypedFilm | None, list[str]]:
+    """Return what is typed, that of the film, and what is lost of it."""
+    typed = mode.parameters(surface)
+    if film is None or mode.film is None:
+        return typed, None, []
+    known, absorbs = _typed_film(film, to)
+    lost = [*([_FILM_ABSORBS] if absorbs else []), _FILM_INDEX]
+    return typed | mode.film.parameters(known.n, known.thickness_nm), known, lost
+
+
+_FILM_ABSORBS = "What the film absorbs is lost: engines' films are clear"
+_FILM_INDEX = "The film has one index for all wavelengths, that at 587.6 nm"
+
+
 def exported_file(
-    preset: Preset, to: TargetId, mode: ModeId | None, policy: Gamut, space: Space
+    preset: Preset,
+    to: TargetId,
+    mode: ModeId | None,
+    policy: Gamut,
+    space: Space,
+    film: Film | None = None,
 ) -> File:
     """Write a material for a target; parameters and errors as `export`."""
     surface = Surface(preset, policy, space)
-    return chosen_mode(surface, to, mode).file(surface)
+    chosen = chosen_mode(surface, to, mode, film)
+    return chosen.write(surface, _typed(chosen, surface, to, film)[0])
 
 
 def export(
@@ -133,6 +238,7 @@ def export(
     mode: ModeId | None = None,
     policy: Gamut = "clamped",
     space: Space = "srgb",
+    film: Film | None = None,
 ) -> Export:
     """Write a material for a target, and say what the target makes of it.
 
@@ -144,18 +250,32 @@ def export(
         The target, and which of its ways; the first that the material has unless given.
     policy, space
         What is done about colors outside 0 to 1, and whose channels the numbers are.
+    film
+        On the surface, with interference.
 
     Raises
     ------
     NotAllowed
-        As `chosen_mode` does.
+        As `chosen_mode` does, and if the film is none that the target takes.
     """
     surface = Surface(preset, policy, space)
-    target, chosen = TARGETS[to], chosen_mode(surface, to, mode)
-    typed = chosen.parameters(surface)
-    file, curve, truth = chosen.write(surface, typed), chosen.curve(surface), surface.truth
+    target, chosen = TARGETS[to], chosen_mode(surface, to, mode, film)
+    typed, typed_film, lost_of_film = _typed(chosen, surface, to, film)
+    file, basis = chosen.write(surface, typed), chosen.basis
+    coated = None
+    if film is None or typed_film is None or chosen.film is None:
+        curve, truth = chosen.curve(surface), surface.truth
+    else:
+        curve, truth = film_curve(surface, chosen.film, typed_film), _film_truth(preset, film)
+        basis = Basis("", note=f"the shortcut for films {chosen.film.model} of /films/models")
+        coated = ExportedFilm(
+            medium=film.medium,
+            n=typed_film.n,
+            thickness_nm=typed_film.thickness_nm,
+            model=chosen.film.model,
+        )
     error = SpectralError.of(curve, truth, space, DAYLIGHT)
-    lost = [*chosen.lost]
+    lost = [*chosen.lost, *lost_of_film]
     if target.spaces[space]:
         lost.append(target.spaces[space])
     if policy != "unclamped" and Surface(preset, "unclamped", space).outside:
@@ -166,18 +286,19 @@ def export(
         title=target.title,
         mode=chosen.id,
         mode_title=chosen.title,
-        modes=[mode.id for mode in target.of(surface.kind)],
+        modes=[each.id for each in _able(target, surface, film)],
         kind=surface.kind,
         policy=policy,
         space=space,
         files=[ExportedFile(name=file.name, text=file.text)],
         parameters=typed,
         lost=[f"{sentence}." for sentence in lost],
-        error=filled(ExportError, error, measured_with=MeasuredWith.of(chosen.basis)),
+        error=filled(ExportError, error, measured_with=MeasuredWith.of(basis)),
         theta_i_deg=np.array(SHOWN_DEG),
         reflectance=_shown(curve),
         spectrum=_shown(truth),
         warnings=surface.visible.warnings,
+        film=coated,
     )
 
 

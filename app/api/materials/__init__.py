@@ -7,17 +7,20 @@ from fastapi import APIRouter, Query
 from starlette.responses import Response
 
 from app.answers.answer import chosen_fields
+from app.answers.materials.covered import Covered, covered
 from app.answers.materials.curves import MaterialCurves
 from app.answers.materials.curves import curves as evaluated
 from app.answers.materials.detail import MaterialDetail, detail
-from app.answers.materials.export import Export, export, exported_file
+from app.answers.materials.export import Export
 from app.answers.materials.listing import Material, Materials
 from app.answers.materials.listing import materials as listed
 from app.answers.materials.map import MaterialMap, reflectance_map
 from app.answers.materials.rgb_nk import RgbNk, rgb_nk
 from app.answers.materials.spectrum import MaterialSpectrum
 from app.answers.materials.spectrum import spectrum as constants
+from app.api.materials.exporting import FILES, exported
 from app.api.materials.queries import (
+    CoveredQuery,
     DetailQuery,
     ExportQuery,
     ListQuery,
@@ -27,10 +30,8 @@ from app.api.materials.queries import (
     SpectrumQuery,
 )
 from app.api.params import reported_as
-from app.export.registry import TARGETS
 from app.http.problems import MissingResource
 from app.http.route import QueryRoute
-from app.http.writing import shown_as
 from app.materials.errors import UnknownMaterial
 from app.materials.media import default_catalog
 from app.materials.schema import Preset
@@ -81,17 +82,19 @@ def router(registry: Registry | None = None) -> APIRouter:
     @routes.get(
         "/materials/{material:path}/export",
         response_model=Export,
-        responses={200: {"content": {target.media_type: {} for target in TARGETS.values()}}},
+        responses=FILES,
         summary="A material for a render engine, with what is lost and how far the engine is off",
     )
-    def exported(material: str, query: Annotated[ExportQuery, Query()]) -> Export | Response:
-        asked = (found(material), query.to, query.mode, query.policy, query.space)
-        if query.format == "json":
-            return export(*asked)
-        file = exported_file(*asked)
-        return Response(
-            file.text, headers=shown_as(file.name), media_type=TARGETS[query.to].media_type
-        )
+    def taken(material: str, query: Annotated[ExportQuery, Query()]) -> Export | Response:
+        return exported(found(material), query)
+
+    @routes.get(
+        "/materials/{material:path}/covered",
+        summary="F0, F82 and tint in a medium, under a coat or behind a pane, and engines' shortcuts",
+    )
+    def under(material: str, query: Annotated[CoveredQuery, Query()]) -> Covered:
+        with reported_as(incident="of"):
+            return covered(found(material), query.covered_by(), query.viewing(), query.gamut)
 
     @routes.get(
         "/materials/{material:path}/curves",

@@ -5,12 +5,14 @@ from typing import Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
+from app.answers.materials.export import one_film
 from app.answers.materials.listing import MOST_PAGES, Collected
 from app.answers.materials.map import Quantity
 from app.api.model_parameters import ModelsParameter, each_once
 from app.api.params import (
     MAX_SAMPLES,
     equal_samples,
+    layers,
     number,
     preset_name,
     refuse_beside,
@@ -21,6 +23,8 @@ from app.export.target import ModeId, TargetId
 from app.http.problems import BadParameters, ParameterError
 from app.http.query import Count, DigitsQuery, Number, QueryModel, TableQuery
 from app.materials.appearance import Viewing
+from app.materials.covered import COVER_N, Cover, CoverKind
+from app.materials.films import Film, read_layers
 from app.materials.front import Front
 from app.materials.rgb_models import has_rgb_form
 from app.materials.schema import Category
@@ -119,6 +123,45 @@ class RgbNkQuery(ColorQuery, DigitsQuery):
         return True
 
 
+class CoveredQuery(ColorQuery, DigitsQuery):
+    """What is in front of the material."""
+
+    cover: CoverKind = Field(
+        "coat",
+        description="`medium` fills the space in front of the material, `coat` is a clear layer on it "
+        "in air, `pane` a clear plate with air on both sides; coat and pane are so thick that their "
+        "faces do not interfere.",
+    )
+    n: Number = number(COVER_N, examples=[1.5])
+    of: str | None = preset_name(
+        "Id or alias of a transparent preset with a spectrum, in place of n.", "water"
+    )
+    gamut: Gamut = _gamut("clamped")
+
+    @model_validator(mode="after")
+    def _one_of_them(self) -> Self:
+        refuse_beside(self, "of", "n")
+        return self
+
+    @property
+    def takes_long(self) -> bool:
+        """Always: integrals over the wavelength at each angle."""
+        return True
+
+    def covered_by(self) -> Cover:
+        """Look up the cover.
+
+        Raises
+        ------
+        BadParameters
+            If there is no such preset, or it is a single index.
+        """
+        if self.of is None:
+            return Cover(self.cover, Front(self.n))
+        with reported_as(material="of"):
+            return Cover(self.cover, Front.named(self.of))
+
+
 class ExportQuery(DigitsQuery):
     """For which engine, and how."""
 
@@ -139,11 +182,22 @@ class ExportQuery(DigitsQuery):
         description="The file alone, or JSON with the file's text, the parameters to type, what is "
         "lost, and the largest error that the engine will show.",
     )
+    layers: str | None = layers("Engines take one film, which interferes, in air.")
 
     @property
     def takes_long(self) -> bool:
         """Always: an integral over the wavelength at each angle."""
         return True
+
+    def film(self) -> Film | None:
+        """Return the film.
+
+        Raises
+        ------
+        NotAllowed
+            If the layers cannot be read, or are not one film.
+        """
+        return None if self.layers is None else one_film(read_layers(self.layers))
 
 
 class FrontQuery(QueryModel):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from app.export.surface import Surface, Typed
+from app.export.surface import Surface, Typed, digits
 from app.export.target import (
     ABSORPTION,
     DISPERSION,
@@ -12,6 +12,7 @@ from app.export.target import (
     TINT,
     Basis,
     File,
+    FilmMode,
     Mode,
     Target,
     by_f82,
@@ -53,6 +54,13 @@ def _clear(surface: Surface) -> dict[str, Typed]:
     }
 
 
+def _film(n: float, nm: float) -> dict[str, Typed]:
+    return {"Thin Film Thickness": digits(nm), "Thin Film IOR": digits(n)}
+
+
+_FILM = FilmMode("cycles_film", _film)
+
+
 def _write(
     node: str, surface: Surface, typed: dict[str, Typed], *, fresnel: str | None = None
 ) -> File:
@@ -91,6 +99,7 @@ BLENDER = Target(
             by_pairs,
             Basis("exact", "cycles", "Metallic BSDF, Physical Conductor"),
             (PAIRS,),
+            film=_FILM,
         ),
         Mode(
             "f82",
@@ -121,6 +130,7 @@ BLENDER = Target(
             by_ior,
             Basis("exact", "cycles", "Principled BSDF"),
             (DISPERSION, ABSORPTION),
+            film=_FILM,
         ),
     ),
     spaces={"srgb": "", "acescg": "The scene's working space has to be ACEScg"},

@@ -13,6 +13,7 @@ from app.export.target import (
     ABSORPTION,
     Basis,
     File,
+    FilmMode,
     Mode,
     Target,
     by_schlick,
@@ -90,6 +91,19 @@ def _clear(surface: Surface) -> dict[str, Typed]:
     return typed
 
 
+def _iridescence(n: float, nm: float) -> dict[str, Typed]:
+    """Without a texture the maximum is the thickness everywhere."""
+    extension = "KHR_materials_iridescence"
+    return {
+        f"{extension}.iridescenceFactor": 1.0,
+        f"{extension}.iridescenceIor": digits(n),
+        f"{extension}.iridescenceThicknessMaximum": digits(nm),
+    }
+
+
+_FILM = FilmMode("gltf_iridescence", _iridescence)
+
+
 def _write(surface: Surface, typed: dict[str, Typed]) -> File:
     base: dict[str, Any] = {}
     extensions: dict[str, dict[str, Typed]] = {}
@@ -119,6 +133,7 @@ GLTF = Target(
                 "incidence is lost, and no extension has it",
             ),
             takes_above_1=False,
+            film=_FILM,
         ),
         Mode(
             "ior",
@@ -135,6 +150,7 @@ GLTF = Target(
                 ABSORPTION,
                 "KHR_materials_specular stands there because Filament shows no reflection without it",
             ),
+            film=_FILM,
         ),
     ),
     spaces={"srgb": ""},

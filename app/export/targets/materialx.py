@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
-from app.export.surface import Surface, Typed
+from app.export.surface import Surface, Typed, digits
 from app.export.target import (
     ABSORPTION,
     DISPERSION,
@@ -14,6 +14,7 @@ from app.export.target import (
     TINT,
     Basis,
     File,
+    FilmMode,
     Mode,
     Target,
     by_f82,
@@ -123,6 +124,19 @@ def _clear(surface: Surface) -> dict[str, Typed]:
     return typed
 
 
+def _thin_film(n: float, nm: float) -> dict[str, Typed]:
+    return {"thinfilm_thickness": digits(nm), "thinfilm_ior": digits(n)}
+
+
+def _open_pbr_film(n: float, nm: float) -> dict[str, Typed]:
+    """OpenPBR has micrometers."""
+    return {
+        "thin_film_weight": 1.0,
+        "thin_film_thickness": digits(1e-3 * nm),
+        "thin_film_ior": digits(n),
+    }
+
+
 _PREFILTERED = (
     "The generator's prefiltered environment, its default, shows a Schlick curve in its place; "
     "environments sampled by importance follow the node"
@@ -141,6 +155,7 @@ MATERIALX = Target(
             by_pairs,
             Basis("exact", "materialx", "conductor_bsdf"),
             (PAIRS, _PREFILTERED),
+            film=FilmMode("materialx_airy", _thin_film),
         ),
         Mode(
             "f82",
@@ -150,7 +165,8 @@ MATERIALX = Target(
             partial(_bsdf, "generalized_schlick_bsdf", managed=True),
             by_f82,
             Basis("f82_tint", "materialx", "generalized_schlick_bsdf"),
-            (TINT, _PREFILTERED),
+            (TINT, _PREFILTERED, "MaterialX's generator for OSL drops color82"),
+            film=FilmMode("materialx_schlick_airy", _thin_film),
         ),
         Mode(
             "ior",
@@ -161,6 +177,7 @@ MATERIALX = Target(
             by_ior,
             Basis("exact", "materialx", "dielectric_bsdf"),
             (DISPERSION, ABSORPTION, _PREFILTERED),
+            film=FilmMode("materialx_airy", _thin_film),
         ),
     ),
     spaces=_SPACES,
@@ -180,6 +197,7 @@ OPENPBR = Target(
             by_f82,
             Basis("f82_tint", "materialx", "generalized_schlick_bsdf"),
             (TINT, "MaterialX's generator for OSL drops specular_color of metals"),
+            film=FilmMode("materialx_schlick_airy", _open_pbr_film),
         ),
         Mode(
             "ior",
@@ -194,6 +212,7 @@ OPENPBR = Target(
                 ABSORPTION,
                 "Below an index of 1.5 Babylon's OpenPBRMaterial reflects less at grazing incidence",
             ),
+            film=FilmMode("materialx_airy", _open_pbr_film),
         ),
     ),
     spaces={"srgb": "", "acescg": ""},

@@ -71,7 +71,7 @@ MITSUBA = Target(
             by_spectrum,
             Basis("exact", "mitsuba", "conductor"),
             (
-                "For spectral variants; those of RGB average n and k, and take mode=nk instead",
+                "For spectral variants alone: those of RGB end in an error, and take mode=nk instead",
                 "n and k are sampled every 5 nm from 360 to 830 nm",
             ),
         ),

@@ -7,9 +7,7 @@ import numpy as np
 from app.optics.conversions import (
     F0_LINEAR,
     F0_SRGB,
-    FILAMENT,
     SEEN_FROM,
-    SPECULAR,
     TITLES,
     Form,
     Known,
@@ -28,6 +26,7 @@ from app.optics.formulas.formula import (
     rounding,
 )
 from app.optics.interface import Interface
+from app.optics.knobs.reflectance import FILAMENT, SPECULAR
 from app.optics.parameters import K_T, N_T, Array, Parameter
 from app.optics.registry import default_registry
 

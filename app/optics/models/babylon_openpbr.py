@@ -14,7 +14,7 @@ def babylon_openpbr(interface: Interface, incidence: Incidence, F0: Array) -> Ar
 
 MODEL = Model(
     id="babylon_openpbr",
-    title="Schlick with F90 = min(2 |n_t - n_i|, 1)",
+    title="Babylon OpenPBR",
     applies_to=("dielectric",),
     latex=r"R\approx F_0+(F_{90}-F_0)(1-\mu)^5,\quad F_{90}=\min(2\,|n_t-n_i|,1)",
     reference="Babylon.js 9.35.0, OpenPBRMaterial of clear media, measured in 2026; "

@@ -1,11 +1,15 @@
 /** What `/convert` is asked, and how its answers are written. */
 
-import { significant } from "../numbers/format.js";
+import { plain, significant } from "../numbers/format.js";
 import { path } from "../state/state.js";
 
 /**
  * @typedef {{form: string, title: string, values: Record<string, any>, status: string, why: string}} Result
  * @typedef {{name: string, symbol: string, hint: string}} Input
+ * @typedef {{name: string, label: string, value: any, default: number, minimum: number, maximum: number | null,
+ *   clamps: string}} KnobInput
+ * @typedef {{knob: string, title: string, inputs: KnobInput[], status: string, why: string, reference: string,
+ *   measured: string[]}} Knob
  */
 
 /** @param {string} label @param {string} start @param {[name: string, symbol: string, hint: string][]} inputs */
@@ -25,6 +29,28 @@ export const SOURCES = {
   hex: source("a picture's color", "#ffe29b", ["hex", "F_0", "#ffe29b"]),
   specular: source("specular level", "0.5", ["specular", "", "0.5"]),
   reflectance: source("Filament's reflectance", "0.5", ["reflectance", "", "0.5"]),
+  blender: source(
+    "Blender's IOR and level",
+    "1.5;0.5",
+    ["ior", "", "1.5"],
+    ["specular_ior_level", "", "0.5"],
+  ),
+  gltf: source(
+    "glTF's ior and specular",
+    "1.5;1;1",
+    ["ior", "", "1.5"],
+    ["specularFactor", "", "1"],
+    ["specularColorFactor", "", "1, or 1, 0.8, 0.6"],
+  ),
+  openpbr: source(
+    "OpenPBR's specular",
+    "1.5;1",
+    ["specular_ior", "", "1.5"],
+    ["specular_weight", "", "1"],
+  ),
+  three: source("three's reflectivity", "0.5", ["reflectivity", "", "0.5"]),
+  unreal: source("Unreal's Specular", "0.5", ["specular", "", "0.5"]),
+  godot: source("Godot's metallic_specular", "0.5", ["metallic_specular", "", "0.5"]),
   rg: source("Gulbrandsen's r, g", "0.9;0.5", ["r", "r", "0.9"], ["g", "g", "0.5"]),
   dg: source("d'Eon's r, G", "0.9;0.5", ["r", "r", "0.9"], ["G", "G", "0.5"]),
 };
@@ -64,12 +90,37 @@ function given(state) {
 
 /** @param {State} state @returns {string} */
 export function convertPath(state) {
-  const { n_i, seen_from } = state;
+  const { n_i, seen_from, from, material } = state;
   return path("/convert", [
     ...given(state),
     n_i !== 1 && `n_i=${n_i}`,
     seen_from !== null && `seen_from=${seen_from}`,
+    from === "media" && material && `dispersion_of=${encodeURIComponent(material)}`,
   ]);
+}
+
+/** Knobs as results, from which boxes are filled. @param {any} answer @returns {Result[]} */
+export const asResults = ({ results, knobs }) => [
+  ...results,
+  ...knobs.map((/** @type {Knob} */ { knob, inputs, ...rest }) => ({
+    ...rest,
+    form: knob,
+    values: Object.fromEntries(inputs.map(({ name, value }) => [name, value])),
+  })),
+];
+
+/**
+ * Every knob with what to type, those of dispersion where that is known.
+ * @param {any} answer of `/convert`
+ * @returns {Knob[]}
+ */
+export const knobsOf = (answer) => [...answer.knobs, ...(answer.dispersion?.knobs ?? [])];
+
+/** Where an engine means a number to be, and what it is unless typed. @param {KnobInput} input */
+export function rangeOf({ minimum, maximum, default: preset }) {
+  const to =
+    maximum === null ? `${plain(minimum)} or more` : `${plain(minimum)} to ${plain(maximum)}`;
+  return `${to}, ${plain(preset)} unless typed`;
 }
 
 /** How a value is written: six digits, three of them where there are three. @param {any} value */

@@ -10,16 +10,27 @@ import { h, symbol } from "../page/dom.js";
 import { html, nothing, render } from "../page/lit.js";
 import { sayProblem } from "../page/trouble.js";
 import { declared } from "../state/state.js";
-import { BETWEEN, filled, printValue, SOURCES, texts } from "./conversions.js";
+import {
+  asResults,
+  BETWEEN,
+  filled,
+  knobsOf,
+  printValue,
+  rangeOf,
+  SOURCES,
+  texts,
+} from "./conversions.js";
 import { colored } from "./metal-color.js";
 
 /** @typedef {import('./conversions.js').Result} Result */
+/** @typedef {import('./conversions.js').Knob} Knob */
 
 /** Symbols of values that are not their names; what has none is named by its form. @type {Record<string, string>} */
 const SYMBOLS = { F0: "F_0", F0_srgb: "F_0", F82: "F_{82}" };
 const NAMED = ["n_i", "n_t", "k_t", "r", "g", "G", "tint"];
 const DESCRIBED = "convert-problem";
 const COLUMNS = ["form", "value", "status", "why", "use"];
+const KNOB_COLUMNS = ["knob", "what to type", "status", "why"];
 
 /** @param {string} name @param {any} value */
 function valued(name, value) {
@@ -31,6 +42,24 @@ function valued(name, value) {
   } ${words}</span>`;
 }
 
+/** One engine's knob: what to type, and how far it can be turned. @param {Knob} knob */
+function knobLine({ title, inputs, status, why, reference, measured }) {
+  const run = measured.length ? `Measured in ${measured.join(", ")}` : "Not run";
+  return html`<tr data-status=${status}>
+    <th scope="row">${title}</th>
+    <td class="converted">${inputs.map(
+      (input) => html`<span class="conversion">${input.label} ${printValue(input.value)}</span>`,
+    )}</td>
+    <td class="status-cell"><span class="status">${status}</span></td>
+    <td class="why">${why}
+      <details class="knob"><summary>range and source</summary>
+        <ul>${inputs.map(
+          (input) => html`<li>${input.label}: ${rangeOf(input)}; outside, ${input.clamps}.</li>`,
+        )}<li>${run}. ${reference}.</li></ul>
+      </details></td>
+  </tr>`;
+}
+
 /** @param {ViewContext} context */
 export function createConvert({ catalog, state, actions }) {
   /** @type {Result[]} */
@@ -40,7 +69,7 @@ export function createConvert({ catalog, state, actions }) {
     (value) => actions.set({ from: value, given: filled(value, results) }),
     Object.fromEntries(Object.entries(SOURCES).map(([value, { label }]) => [value, label])),
   );
-  const boxes = [0, 1].map(() =>
+  const boxes = [0, 1, 2].map(() =>
     createTyped({
       attributes: { class: "box given", "aria-describedby": DESCRIBED },
       parse: String,
@@ -111,13 +140,15 @@ export function createConvert({ catalog, state, actions }) {
       box.ariaLabel = `${label}, ${input.name}`;
       box.ariaInvalid = wrong ? "true" : null;
       update(values[i] ?? "");
-      const name = input.symbol ? symbol(input.symbol) : nothing;
+      const name = input.symbol ? symbol(input.symbol) : inputs.length > 1 ? input.name : nothing;
       return html`<label class="given-label"><span class="given-name">${name}</span>${box}</label>`;
     });
   }
 
   /** @type {ReturnType<typeof line>[]} */
   let lines = [];
+  /** @type {ReturnType<typeof knobLine>[]} */
+  let knobs = [];
   let color = "000000";
   const changed = createChanged();
   return {
@@ -130,8 +161,11 @@ export function createConvert({ catalog, state, actions }) {
      */
     update(now, answer, problem, detail) {
       if (answer && changed(answer, now.from)) {
-        results = answer.results;
-        lines = results.map((result) => line(result, now.from === "media"));
+        results = asResults(answer);
+        lines = answer.results.map((/** @type {Result} */ result) =>
+          line(result, now.from === "media"),
+        );
+        knobs = knobsOf(answer).map(knobLine);
       }
       from.update(now.from);
       seen.update(plain(now.seen_from ?? answer?.seen_from ?? 1));
@@ -162,6 +196,14 @@ export function createConvert({ catalog, state, actions }) {
               <tr>${COLUMNS.map((text) => html`<th scope="col">${text}</th>`)}</tr>
             </thead>
             <tbody>${lines}</tbody>
+          </table>
+          <h3>What to type in engines</h3>
+          <table class="conversions knobs" ?data-stale=${problem !== undefined}>
+            <caption class="hidden">The same surface as the knobs of engines</caption>
+            <thead class="hidden">
+              <tr>${KNOB_COLUMNS.map((text) => html`<th scope="col">${text}</th>`)}</tr>
+            </thead>
+            <tbody>${knobs}</tbody>
           </table>`,
         element,
       );

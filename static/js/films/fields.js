@@ -11,8 +11,9 @@ import {
 } from "../layers/layers.js";
 import { layersField, spectral, unshortened } from "../layers/question.js";
 import { isDispersive } from "../media/media.js";
-import { choice, list, number, path, whole } from "../state/state.js";
+import { choice, list, mediaQuery, number, path, whole } from "../state/state.js";
 import { text } from "../state/text.js";
+import { useFields, usePath } from "../takeaway/use.js";
 
 export const D_LINE = 587.6;
 /** What eyes see. */
@@ -35,6 +36,7 @@ export function filmFields() {
     film_side: choice("R", ["R", "T"]),
     film_model: text((id) => MODEL_ID.test(id), "it is no id of a shortcut", NO_MODEL),
     film_light: choice("bright", ["bright", "true", "each"]),
+    ...useFields(),
   };
 }
 
@@ -144,6 +146,11 @@ export function later(given, catalog) {
     map: mapPath(state, catalog),
     reflected: herePath(state, catalog, "R"),
     transmitted: herePath(state, catalog, "T"),
+    use: usePath("/export", state, [
+      ...mediaQuery(state, catalog, ["n_i"]),
+      ...spectral(state, catalog).filter((part) => !/^(n_i|incident)=/.test(part)),
+      asked(state.layers),
+    ]),
   };
 }
 

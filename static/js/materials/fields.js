@@ -2,8 +2,9 @@
 
 import { choice, LinkError, number, optional } from "../state/state.js";
 import { text } from "../state/text.js";
+import { useFields } from "../takeaway/use.js";
 import { COLUMNS } from "./columns.js";
-import { MODES, TARGETS } from "./use.js";
+import { COVER_N, COVERS } from "./covered.js";
 
 /** The wavelengths of Shirley's figure of copper, in nm. */
 export const SHIRLEY_NM = Object.freeze([400, 500, 600, 700, 800]);
@@ -51,7 +52,8 @@ export function materialFields({ materials }) {
     map_of: choice("R", ["R", "Rs", "Rp"]),
     gamut: choice("scaled", ["scaled", "clamped", "unclamped"]),
     illuminant: choice("D65", ["D65", "E"]),
-    use_in: choice("blender", Object.keys(TARGETS)),
-    use_mode: optional(Object.keys(MODES)),
+    cover: choice("coat", Object.keys(COVERS)),
+    cover_n: number({ default: 1.5, ...COVER_N }),
+    ...useFields(),
   };
 }

@@ -1,6 +1,7 @@
 /** What the Materials view asks the server for. */
 
 import { path } from "../state/state.js";
+import { usePath } from "../takeaway/use.js";
 
 /** A cell's color needs no more digits. */
 const MAP_DIGITS = 4;
@@ -90,12 +91,12 @@ function mapPath({ preset, map_of }) {
 }
 
 /** @param {State} state */
-function usePath({ preset, use_in, use_mode, gamut }) {
-  return path(`/materials/${preset}/export`, [
-    `to=${use_in}`,
-    use_mode !== null && `mode=${use_mode}`,
-    gamut !== "clamped" && `policy=${gamut}`,
-    "format=json",
+function coveredPath({ preset, cover, cover_n, gamut, illuminant }) {
+  return path(`/materials/${preset}/covered`, [
+    cover !== "coat" && `cover=${cover}`,
+    cover_n !== 1.5 && `n=${cover_n}`,
+    gamut !== "clamped" && `gamut=${gamut}`,
+    illuminant !== "D65" && `illuminant=${illuminant}`,
   ]);
 }
 
@@ -112,7 +113,10 @@ export function queries(now, catalog, moving = false) {
   /** @type {Record<string, string>} */
   const wanted = { list: listPath(state), detail: detailPath(state) };
   if (moving || !preset) return wanted;
-  wanted.use = usePath(state);
+  wanted.use = usePath(`/materials/${state.preset}/export`, state, [
+    state.gamut !== "clamped" && `policy=${state.gamut}`,
+  ]);
+  wanted.covered = coveredPath(state);
   wanted.index = `/curves?n_t=${preset.n_absolute}&models=${INDEX_MODELS}`;
   if (preset.kind !== "spectrum") return wanted;
   wanted.spectrum = `/materials/${preset.id}/spectrum`;
@@ -128,10 +132,13 @@ export function queries(now, catalog, moving = false) {
 
 /** @param {State} state @param {Catalog} catalog @returns {string[]} */
 export function restCalls(state, catalog) {
-  const { list, detail, use, spectrum, angles, colors, map, index } = queries(state, catalog);
+  const { list, detail, use, covered, spectrum, angles, colors, map, index } = queries(
+    state,
+    catalog,
+  );
   const filtered = list !== "/materials";
   const own = spectrum ? [spectrum, angles, colors, map] : [index];
-  return [filtered ? list : null, detail, ...own, use].filter(
+  return [filtered ? list : null, detail, ...own, covered, use].filter(
     (one) => one !== null && one !== undefined,
   );
 }

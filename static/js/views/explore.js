@@ -64,6 +64,18 @@ export function createView({
     },
     { once: true },
   );
+  const useFold = h("details.definitions", h("summary", "Use it in"));
+  /** @type {{update: (state: State) => void} | null} */
+  let use = null;
+  useFold.addEventListener(
+    "toggle",
+    async () => {
+      const { createUseHere } = await import("../takeaway/use-here.js");
+      use = await createUseHere(useFold, { catalog, say, save });
+      if (now) use.update(now);
+    },
+    { once: true },
+  );
   const diagramFrame = h("div.frame");
   const diagramHost = h("div.diagram-host", diagramFrame);
   const plotFrame = h("div.frame");
@@ -143,6 +155,7 @@ export function createView({
       h("div.heading", h("h2", "Numbers"), light, numbers.copyAll),
       numbers.grid,
       fold,
+      useFold,
       tables.element,
     ),
     h(
@@ -269,6 +282,7 @@ export function createView({
       answers = nextAnswers;
       controls.update(next, stops(), reasonsOf(answers.curves));
       definitions?.update(chosenModels(next));
+      use?.update(next);
       if (!answers.curves) return;
       const reading = readingAt(answers.curves, answers.snell, next.theta_i_deg);
       const { polarization, angle: unit } = next;

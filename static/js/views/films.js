@@ -17,11 +17,12 @@ import { h, setText } from "../page/dom.js";
 import { pageLink } from "../page/links.js";
 import { loadStyle } from "../page/style.js";
 import { createProblems, createTrouble } from "../page/trouble.js";
+import { createUse } from "../takeaway/use.js";
 
 export { later, queries, restCalls } from "../films/fields.js";
 export const fields = filmFields;
 
-await Promise.all(["heatmap", "films"].map((name) => loadStyle(`css/${name}.css`)));
+await Promise.all(["heatmap", "take", "films"].map((name) => loadStyle(`css/${name}.css`)));
 
 /** What shows the films on a ball, a shortcut beside them if there is one. @param {State} now */
 function ballOf(now) {
@@ -101,6 +102,7 @@ export function createView(page) {
     if (settled) actions.settle();
   });
   element.append(beside.element);
+  const use = createUse({ ...context, parent: element });
   const problems = createProblems([
     "spectrum",
     "curves",
@@ -108,6 +110,7 @@ export function createView(page) {
     "map",
     "reflected",
     "transmitted",
+    "use",
   ]);
   const newMap = createChanged();
   let factor = 1;
@@ -163,6 +166,8 @@ export function createView(page) {
     if (newBall(JSON.stringify(ball)))
       onBall.replaceChildren(pageLink("On a ball, in Preview", "preview", ball));
     numbers.update(now, given);
+    use.update(now, given.use);
+    use.problem(problems.of("use", given));
     const problem = ["spectrum", "curves", "here"]
       .map((name) => problems.of(name, given))
       .find(Boolean);

@@ -4,6 +4,7 @@ import { createExamples } from "../controls/examples.js";
 import { createAngles } from "../materials/angles.js";
 import { createBrowser } from "../materials/browser.js";
 import { createColors } from "../materials/colors.js";
+import { createCovered } from "../materials/covered.js";
 import { EXAMPLES, isShown } from "../materials/examples.js";
 import { materialFields } from "../materials/fields.js";
 import { createHead } from "../materials/head.js";
@@ -12,17 +13,17 @@ import { createNumbers } from "../materials/numbers.js";
 import { presetOf, shown } from "../materials/queries.js";
 import { createRivals, createSource } from "../materials/source.js";
 import { createSpectrum } from "../materials/spectrum.js";
-import { createUse } from "../materials/use.js";
 import { become, isPage, pathOf } from "../media/brought.js";
 import { percent, plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { loadStyle } from "../page/style.js";
 import { createProblems } from "../page/trouble.js";
+import { createUse } from "../takeaway/use.js";
 
 export { queries, restCalls } from "../materials/queries.js";
 export const fields = materialFields;
 
-await Promise.all(["heatmap", "materials"].map((name) => loadStyle(`css/${name}.css`)));
+await Promise.all(["heatmap", "take", "materials"].map((name) => loadStyle(`css/${name}.css`)));
 
 /** A view narrower than this shows the catalog above the preset. */
 const NARROW = "(max-width: 900px)";
@@ -96,11 +97,12 @@ export function createView(view) {
   const colors = createColors(context);
   const map = createMap(context);
   sheets.append(h("div.beside", rivals.element, source.element));
+  const covered = createCovered({ parent: sheets, actions });
   const use = createUse({ parent: sheets, actions, say, save });
   /** By the name of the query. */
   const figures = { spectrum, angles, colors, map };
 
-  const problems = createProblems(["detail", "index", "use", ...Object.keys(figures)]);
+  const problems = createProblems(["detail", "index", "covered", "use", ...Object.keys(figures)]);
   /** @type {Record<string, any>} */
   let latest = {};
   /** The answer of which what does not move was drawn. @type {unknown} */
@@ -110,6 +112,7 @@ export function createView(view) {
     /** @param {string} name */
     const of = (name) => problems.of(name, latest);
     numbers.problem(of("detail"));
+    covered.problem(of("covered"));
     use.problem(of("use"));
     for (const [name, figure] of Object.entries(figures)) figure.problem(of(name));
     if (!of("colors")) colors.problem(of("index"));
@@ -143,6 +146,7 @@ export function createView(view) {
         map.update(now, answers.map, at);
       }
       colors.update(now, answers);
+      covered.update(now, answers.covered);
       use.update(now, answers.use);
       showProblems();
     },

@@ -98,20 +98,26 @@ def main() -> None:
     plane = bpy.context.object
     path = Path(tempfile.mkdtemp()) / "seen.exr"
     curves = []
-    for medium in asked["media"]:
-        for way, (node_type, mode, typed) in ways(medium).items():
-            plane.data.materials.clear()
-            plane.data.materials.append(material(node_type, mode, typed))
-            rows = [reflectance(scene, path, degrees) for degrees in asked["theta_i_deg"]]
-            curves.append(
-                {
-                    "medium": medium["name"],
-                    "light": "environment",
-                    "way": way,
-                    "typed": typed,
-                    "reflectance": rows,
-                }
-            )
+    entered = [
+        (medium["name"], way, *node)
+        for medium in asked["media"]
+        for way, node in ways(medium).items()
+    ]
+    principled = "ShaderNodeBsdfPrincipled"
+    entered += [("settings", way, principled, None, typed) for way, typed in asked["settings"]]
+    for name, way, node_type, mode, typed in entered:
+        plane.data.materials.clear()
+        plane.data.materials.append(material(node_type, mode, typed))
+        rows = [reflectance(scene, path, degrees) for degrees in asked["theta_i_deg"]]
+        curves.append(
+            {
+                "medium": name,
+                "light": "environment",
+                "way": way,
+                "typed": typed,
+                "reflectance": rows,
+            }
+        )
     print("\n" + json.dumps(curves))
 
 

@@ -57,6 +57,11 @@ export async function open() {
       material.metallic = typed.metallic;
       material.roughness = typed.roughness;
       material.albedoColor = new Color3(...typed.albedoColor);
+      if (typed.clearCoat) {
+        material.clearCoat.isEnabled = true;
+        material.clearCoat.roughness = 0;
+        material.clearCoat.indexOfRefraction = typed.clearCoat.indexOfRefraction;
+      }
       if (typed.indexOfRefraction) material.indexOfRefraction = typed.indexOfRefraction;
       if (typed.conductorSpecularModel) {
         material.brdf.conductorSpecularModel = typed.conductorSpecularModel;
@@ -70,6 +75,12 @@ export async function open() {
       material.baseColor = new Color3(...typed.baseColor);
       material.specularRoughness = typed.specularRoughness;
       if (typed.specularIor) material.specularIor = typed.specularIor;
+      if (typed.coatWeight) {
+        material.coatWeight = typed.coatWeight;
+        material.coatIor = typed.coatIor;
+        material.coatRoughness = typed.coatRoughness;
+      }
+      if ("specularWeight" in typed) material.specularWeight = typed.specularWeight;
       if (typed.specularColor) material.specularColor = new Color3(...typed.specularColor);
       return material;
     },

@@ -1,6 +1,6 @@
 // Asks an engine's script for every medium, in every way it can be entered, at every angle.
 
-export async function measure(engine, media, degrees) {
+export async function measure(engine, media, degrees, settings) {
   const { open } = await import(`./${engine}.js`);
   const run = await open();
 
@@ -41,6 +41,10 @@ export async function measure(engine, media, degrees) {
         curves.push({ light, medium: medium.name, way, typed, reflectance });
       }
     }
+  }
+  for (const [way, typed] of settings) {
+    const reflectance = await drawn(way, typed, "environment");
+    curves.push({ light: "environment", medium: "settings", way, typed, reflectance });
   }
   return curves;
 }

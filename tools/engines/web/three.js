@@ -22,10 +22,14 @@ export async function open() {
       if (!medium.metal) return { ior: { ior: medium.n[0], color: [0, 0, 0], roughness: 0 } };
       return { color: { color: medium.F0, metalness: 1, roughness: 0 } };
     },
-    reflect(_way, typed, under, theta) {
-      const { color, ...numbers } = typed;
-      const material = new THREE.MeshPhysicalMaterial(numbers);
+    reflect(way, typed, under, theta) {
+      const { color, specularColor, ...numbers } = typed;
+      const made = new THREE.MeshPhysicalMaterial(numbers);
+      const saved = way.endsWith(", saved");
+      const material = saved ? new THREE.MaterialLoader().parse(made.toJSON()) : made;
       material.color.setRGB(...color, THREE.LinearSRGBColorSpace);
+      if (specularColor)
+        material.specularColor.setRGB(...specularColor, THREE.LinearSRGBColorSpace);
       plane.material = material;
       const [x, z] = [DISTANCE * Math.sin(theta), DISTANCE * Math.cos(theta)];
       camera.position.set(x, 0, z);

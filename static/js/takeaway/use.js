@@ -4,7 +4,8 @@ import { createChoice } from "../controls/panel.js";
 import { plain } from "../numbers/format.js";
 import { copying, h } from "../page/dom.js";
 import { html, nothing, render } from "../page/lit.js";
-import { told } from "./panel.js";
+import { sayProblem } from "../page/trouble.js";
+import { choice, optional, path } from "../state/state.js";
 
 /** Where a material can be taken. @type {Record<string, string>} */
 export const TARGETS = {
@@ -26,6 +27,16 @@ export const MODES = {
   schlick: "F₀",
   ior: "index",
 };
+/** Which engine, and which of its ways. @returns {Record<string, Field>} */
+export const useFields = () => ({
+  use_in: choice("blender", Object.keys(TARGETS)),
+  use_mode: optional(Object.keys(MODES)),
+});
+
+/** @param {string} route @param {State} state @param {(string | false)[]} query what is exported, and how */
+export const usePath = (route, { use_in, use_mode }, query) =>
+  path(route, [`to=${use_in}`, use_mode !== null && `mode=${use_mode}`, ...query, "format=json"]);
+
 /** More numbers than a color and its opacity are not shown one by one. */
 const SHOWN = 4;
 
@@ -115,7 +126,7 @@ export function createUse({ parent, actions, say, save }) {
     },
     /** @param {{title: string, lines: string[]} | undefined} what */
     problem(what) {
-      problem.textContent = told(what);
+      problem.textContent = sayProblem(what);
       body.hidden = Boolean(what);
     },
   };
