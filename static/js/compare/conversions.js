@@ -116,6 +116,12 @@ export const asResults = ({ results, knobs }) => [
  */
 export const knobsOf = (answer) => [...answer.knobs, ...(answer.dispersion?.knobs ?? [])];
 
+/** What to type, three numbers of a color where there are three. @param {any} value */
+export function typedValue(value) {
+  if (Array.isArray(value)) return value.map((v) => plain(v, 4)).join(", ");
+  return value === null ? "none" : plain(value);
+}
+
 /** Where an engine means a number to be, and what it is unless typed. @param {KnobInput} input */
 export function rangeOf({ minimum, maximum, default: preset }) {
   const to =

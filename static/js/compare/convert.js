@@ -19,6 +19,7 @@ import {
   rangeOf,
   SOURCES,
   texts,
+  typedValue,
 } from "./conversions.js";
 import { colored } from "./metal-color.js";
 
@@ -48,7 +49,7 @@ function knobLine({ title, inputs, status, why, reference, measured }) {
   return html`<tr data-status=${status}>
     <th scope="row">${title}</th>
     <td class="converted">${inputs.map(
-      (input) => html`<span class="conversion">${input.label} ${printValue(input.value)}</span>`,
+      (input) => html`<span class="conversion">${input.label} ${typedValue(input.value)}</span>`,
     )}</td>
     <td class="status-cell"><span class="status">${status}</span></td>
     <td class="why">${why}
