@@ -148,7 +148,7 @@ def test_no_reflection_leaves_an_opaque_ball_black(quiet_page: Page) -> None:
     picture = shot(page)
     height, width, _ = picture.pixels.shape
     assert picture.at(*View(width, height).center()).tolist() == [0, 0, 0]
-    assert picture.name == "fresnel-preview-none-schlick.png"
+    assert picture.name == "fresnel-preview-none-f82_tint.png"
 
 
 def test_the_difference_is_amplified_and_has_a_legend(quiet_page: Page) -> None:
