@@ -23,6 +23,7 @@ import { evaluate } from "../numbers/expression.js";
 import { plain } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
 import { createExports, h, setText } from "../page/dom.js";
+import { html, render } from "../page/lit.js";
 import { loadStyle } from "../page/style.js";
 import { createProblems, createTrouble, sayProblem } from "../page/trouble.js";
 
@@ -38,6 +39,8 @@ const API = "api/v1";
 const PAUSE = 600; // ms after which what was typed stands
 const SMALLEST = 1e-6; // what is less stands at the lower edge
 const ALL = "all shelves";
+/** Errors that may count as small, one click away. */
+const BUDGETS = { share: [0.001, 0.01, 0.02, 0.05], delta_e: [0.5, 1, 2, 5] };
 
 await Promise.all(
   ["heatmap", "albedo-claims", "compare-errors", "atlas"].map((name) =>
@@ -120,6 +123,7 @@ export function createView(context) {
     },
     onChange: (value) => actions.set({ atlas_within: value }),
   });
+  const quick = h("span.quick");
   const sentence = h("p.take-home", { role: "status" });
   const trouble = createTrouble("Back to Schlick", () =>
     actions.set({ atlas_model: "schlick", atlas_metric: "max_abs", atlas_shelf: "" }),
@@ -174,7 +178,7 @@ export function createView(context) {
       model.element,
       h("h2", "Error"),
       metric.element,
-      h("div.budget", h("span", "small up to"), bound.box),
+      h("div.budget", h("span", "small up to"), bound.box, quick),
       bound.wrong,
       choices.elements.atlas_kind,
       choices.elements.atlas_band,
@@ -251,7 +255,20 @@ export function createView(context) {
     choices.update(now);
     if (document.activeElement !== search) search.value = now.atlas_find;
     const small = within(now);
-    bound.update(colored ? plain(small) : `${plain(100 * small)} %`);
+    /** @param {number} value */
+    const print = (value) => (colored ? plain(value) : `${plain(100 * value)} %`);
+    bound.update(print(small));
+    render(
+      BUDGETS[colored ? "delta_e" : "share"].map(
+        (value) => html`<button
+          type="button"
+          class="mini"
+          aria-pressed=${value === small}
+          @click=${() => actions.set({ atlas_within: value })}
+        >${print(value)}</button>`,
+      ),
+      quick,
+    );
   }
 
   /** @param {State} now @param {Answer} answer */
