@@ -258,3 +258,22 @@ def test_an_error_is_said_and_the_curves_follow_all_the_same(page: Page) -> None
     expect(page.locator("#notices")).to_contain_text("500")
     expect(page.locator("#notices")).to_contain_text("worked out here")
     assert page.evaluate(paths) != before
+
+
+@pytest.mark.parametrize("view", ["explore", "compare"])
+def test_an_index_that_is_a_range_is_a_band(quiet_page: Page, view: str) -> None:
+    page = quiet_page
+    page.goto(f"/?view={view}&material=garnet-wloka")
+    band = page.locator(".shapelayer path").first
+    expect(band).to_be_attached(timeout=45_000)
+    # At normal incidence it reaches from R of 1.73 to that of 1.89, as far as the plot's scale says.
+    told = page.request.get("/api/v1/curves?material=garnet-wloka&band=true").json()
+    low, high = (
+        next(c["values"][0] for c in told["curves"] if c["quantity"] == quantity)
+        for quantity in ("R_minimum", "R_maximum")
+    )
+    F0 = [((n - 1) / (n + 1)) ** 2 for n in (1.73, 1.89)]
+    assert (low, high) == pytest.approx(F0, rel=1e-12)
+    page.goto(f"/?view={view}&n_t=1.81")
+    expect(page.locator(".plot-canvas path.js-line").first).to_be_attached(timeout=45_000)
+    expect(page.locator(".shapelayer path")).to_have_count(0)
