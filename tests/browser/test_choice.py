@@ -55,7 +55,12 @@ def test_a_metals_color_stands_before_its_single_wavelength(quiet_page: Page) ->
     expect(color.locator("tr").first).to_contain_text(display["codes"]["F0"])
     expect(page.locator(".convert .at-nm")).to_have_text("at 587.6\u00a0nm")
     expect(page.locator(".metrics .at-nm")).to_have_text("at 587.6\u00a0nm")
-    expect(row(page, "f82_tint")).to_be_visible()  # a metal's models begin with it
+    expect(row(page, "f82_tint")).to_be_visible()
+    # A metal's models begin with it, in the lists too.
+    first = page.locator(".chooser .forms label").first
+    expect(first).to_contain_text("F82-tint")
+    type_into(page, "compare-k_t", "0")
+    expect(first).not_to_contain_text("F82-tint")
     below = color.bounding_box()
     table = page.locator(".conversions").bounding_box()
     assert below

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { fitStyle } from "../../static/js/albedo/style.js";
-import { modelStyle } from "../../static/js/models/look.js";
+import { forMedium, modelStyle } from "../../static/js/models/look.js";
 
 const MODELS = [
   { id: "exact", look: { color: "R", dash: "solid" } },
@@ -27,4 +27,24 @@ test("a model that the server tells no look of is drawn all the same", () => {
 test("fits that are the average of a model's curve look like that model", () => {
   assert.deepEqual(fitStyle("schlick"), modelStyle(MODELS, "schlick"));
   assert.deepEqual(fitStyle("dunkle_1963"), modelStyle(MODELS, "pharr_humphreys"));
+});
+
+test("of a metal the models that are made for metals alone come first, traps excepted", () => {
+  const made = (/** @type {string} */ id, /** @type {string[]} */ applies_to, trap = false) => ({
+    id,
+    applies_to,
+    trap,
+  });
+  const models = [
+    made("schlick", ["dielectric", "conductor"]),
+    made("complex", ["conductor"], true),
+    made("f82_tint", ["conductor"]),
+    made("lazanyi", ["conductor"]),
+  ];
+  const ids = (/** @type {number} */ k_t) => forMedium(models, k_t).map(({ id }) => id);
+  assert.deepEqual(ids(3), ["f82_tint", "lazanyi", "schlick", "complex"]);
+  assert.deepEqual(
+    ids(0),
+    models.map(({ id }) => id),
+  );
 });

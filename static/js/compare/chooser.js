@@ -2,7 +2,7 @@
 
 import { createFold } from "../controls/panel.js";
 import { createClear } from "../controls/view-panel.js";
-import { modelStyle } from "../models/look.js";
+import { forMedium, modelStyle } from "../models/look.js";
 import { h, setText } from "../page/dom.js";
 
 /** Whether a model is kept to show a mistake. @param {Model} model */
@@ -85,11 +85,12 @@ export function createChooser({ models, chosen, onChange }) {
 
   return {
     element,
-    /** @param {readonly string[]} ids @param {ReadonlyMap<string, string>} reasons */
-    update(ids, reasons) {
+    /** @param {readonly string[]} ids @param {ReadonlyMap<string, string>} reasons @param {number} k_t of the second medium */
+    update(ids, reasons, k_t) {
       clear.update(ids);
       for (const { fold } of groups)
-        if (fold.update(ids, reasons) > 0 && !revealed) fold.element.open = true;
+        if (fold.update(ids, reasons, forMedium(models, k_t)) > 0 && !revealed)
+          fold.element.open = true;
       revealed = true;
     },
   };

@@ -86,7 +86,7 @@ export function createControls({ catalog, presets, state, actions, describeMedia
       panel.update(now);
       members.update(now.family.join(", "));
       parameters.update(now, against(now), solved);
-      chooser.update(against(now), reasons);
+      chooser.update(against(now), reasons, now.k_t);
       choices.update(now);
     },
   };

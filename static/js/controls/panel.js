@@ -65,13 +65,25 @@ export function createFold({ legend, entries, open = false, chosen, onChange }) 
   });
   const count = h("span.count");
   const element = h("details.forms", { open }, h("summary", legend, count), group.element);
+  const labels = group.element.querySelectorAll("label");
+  let order = ids.join();
   return {
     element,
     ids,
-    labels: group.element.querySelectorAll("label"),
-    /** @param {readonly string[]} on @param {ReadonlyMap<string, string>} [reasons] why one does not apply here */
-    update(on, reasons) {
+    labels,
+    /**
+     * @param {readonly string[]} on
+     * @param {ReadonlyMap<string, string>} [reasons] why one does not apply here
+     * @param {readonly {id: string}[]} [wanted] all of them and others, in the order in which they stand
+     */
+    update(on, reasons, wanted) {
       group.update(on, reasons);
+      const placed = wanted?.flatMap(({ id }) => (ids.includes(id) ? [id] : [])) ?? ids;
+      if (placed.join() !== order) {
+        order = placed.join();
+        const all = placed.flatMap((id) => labels[ids.indexOf(id)] ?? []);
+        all[0]?.parentElement?.append(...all);
+      }
       const many = ids.filter((id) => on.includes(id)).length;
       setText(count, many ? ` ${many} of ${ids.length}` : ` ${ids.length}`);
       return many;

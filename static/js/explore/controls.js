@@ -10,7 +10,7 @@ import {
   createSheet,
 } from "../controls/panel.js";
 import { createInterface } from "../media/media.js";
-import { modelStyle } from "../models/look.js";
+import { forMedium, modelStyle } from "../models/look.js";
 import { angle } from "../numbers/format.js";
 import { h, symbol } from "../page/dom.js";
 import { chosenModels } from "../state/state.js";
@@ -147,7 +147,8 @@ export function createControls({ catalog, presets, state, actions, describeMedia
         ...(now.light === "white" ? ["white"] : []),
         ...(now.marks === "on" ? ["marks"] : []),
       ]);
-      for (const fold of overlays) fold.update(chosenModels(now), reasons);
+      for (const fold of overlays)
+        fold.update(chosenModels(now), reasons, forMedium(catalog.models, now.k_t));
       updateOwn();
     },
   };

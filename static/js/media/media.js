@@ -391,7 +391,9 @@ function nameable(materials, id, n, k) {
   if (!known) {
     // from the end, so that the first of several with the same indices stays
     known = new Map(
-      materials.map((m) => /** @type {const} */ ([indexKey(m.n_absolute, visible(m.k)), m.id])).reverse(),
+      materials
+        .map((m) => /** @type {const} */ ([indexKey(m.n_absolute, visible(m.k)), m.id]))
+        .reverse(),
     );
     named.set(materials, known);
   }

@@ -12,6 +12,19 @@ export function modelStyle(models, id) {
   return { color: `--${color}`, dash };
 }
 
+/**
+ * Models in the server's order; of a metal those that are made for metals alone come first.
+ * @template {Pick<Model, "applies_to" | "trap">} M
+ * @param {readonly M[]} models
+ * @param {number} k_t of the medium
+ * @returns {M[]}
+ */
+export function forMedium(models, k_t) {
+  const own = (/** @type {M} */ { applies_to, trap }) =>
+    k_t > 0 && !trap && applies_to.join() === "conductor";
+  return [...models.filter(own), ...models.filter((m) => !own(m))];
+}
+
 /** @type {Record<string, {color: string, label: string}>} */
 export const CHANNELS = {
   R_red: { color: "--red", label: "R" },

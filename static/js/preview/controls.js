@@ -5,6 +5,7 @@ import { createParameters } from "../controls/parameters.js";
 import { createSelect } from "../controls/select.js";
 import { printLayers, readLayers, THICKEST, thicknessText } from "../layers/layers.js";
 import { createInterface } from "../media/media.js";
+import { forMedium } from "../models/look.js";
 import { ExpressionError, evaluate } from "../numbers/expression.js";
 import { plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
@@ -195,7 +196,8 @@ export function createControls(context) {
       );
       const named = unnamed.map((id) => id.slice(SHORTCUT.length));
       const known = [...shortcuts, ...named.map((id) => ({ id, title: id }))];
-      for (const side of SIDES) selects[side].update(now[side], sidesOf(catalog.models, known));
+      for (const side of SIDES)
+        selects[side].update(now[side], sidesOf(forMedium(catalog.models, now.k_t), known));
       const filmed = isFilmed(now);
       const [first] = readLayers(now.layers) ?? [];
       film.update(now.layers, filmsOf(now.layers));
