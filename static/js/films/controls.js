@@ -200,14 +200,14 @@ export function createControls({ catalog, presets, state, actions, describeMedia
   const body = h(
     "div.panel-body",
     h("div.heading", h("h2", "Layers")),
-    h("div.film-layer", listed, h("span.picker", medium), names),
+    h("div.film-layer", listed, h("div.film-named", h("span.picker", medium), bring), names),
     thickness.element,
     voltage.element,
     h(
       "div.film-layer",
       source,
       h("label.film-thick", incoherent, h("span", "thick: no interference")),
-      h("div.film-edit", { role: "group", "aria-label": "This layer" }, up, add, remove, bring),
+      h("div.film-edit", { role: "group", "aria-label": "This layer" }, up, add, remove),
     ),
     h("div.heading", h("h2", "Media")),
     media.element,
