@@ -415,7 +415,7 @@ def test_the_boundary_is_taken_to_an_engine(quiet_page: Page) -> None:
     fold.locator("summary").first.click()
     panel = fold.locator(".take")
     expect(panel.locator(".parameters")).to_contain_text("1.6")
-    panel.get_by_text("Mitsuba", exact=True).click()
+    panel.get_by_label("Mitsuba", exact=True).click()
     expect(panel).to_contain_text("int_ior")
     with page.expect_download() as waiting:
         panel.get_by_role("button", name="save").click()

@@ -122,14 +122,13 @@ def test_a_layer_that_cannot_be_is_told_with_the_way_back(page: Page, layers: st
     expect(page.locator(".film-numbers dd").first).to_be_visible()
 
 
-def test_a_film_is_taken_to_an_engine(quiet_page: Page) -> None:
-    page = quiet_page
+def test_a_film_is_taken_to_an_engine(page: Page) -> None:
     page.goto("/?view=films&layers=1.46:250&material=Si&use_in=gltf")
     panel = page.locator(".take")
     expect(panel).to_contain_text("KHR_materials_iridescence.iridescenceThicknessMaximum")
     told = page.request.get("/api/v1/export?to=gltf&material=Si&layers=1.46:250&format=json").json()
     expect(panel).to_contain_text(f"at {told['error']['at_deg']:g}° in {told['error']['channel']}")
-    panel.get_by_text("USD", exact=True).click()
+    panel.get_by_label("USD", exact=True).click()
     expect(panel.get_by_role("alert")).to_contain_text("which has no film")
     page.goto("/?view=films&layers=1.46:250,2:50&use_in=openpbr")
     expect(panel.get_by_role("alert")).to_contain_text("engines know no more")
