@@ -339,7 +339,7 @@ def test_code_and_tables_of_both_sides_are_below_the_picture(quiet_page: Page) -
     expect(code).to_have_text(page.request.get("/api/v1/shaders/schlick").json()["code"])
     offered = page.get_by_label("Model whose code is shown")
     values = offered.locator("option").evaluate_all("all => all.map(o => o.value)")
-    assert values == ["schlick", "cos_form", "exact"]
+    assert values == ["schlick", "cos_form", "exact", "vectors", "lookup"]
     offered.select_option("cos_form")
     page.locator(".snippets").get_by_label("Python").check()
     python = page.request.get("/api/v1/shaders/cos_form?language=python").json()
