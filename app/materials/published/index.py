@@ -61,6 +61,8 @@ class ListedPage:
     """Pages of a lower one stand for their material: as it is at room temperature, in the visible."""
     names: tuple[str, ...]
     """What its material is called."""
+    called: str
+    """The names folded to one case, each in a line of its own, for quick looks."""
     chosen_as: tuple[str, ...]
     """What the preset is called that it was chosen for, folded to one case."""
     said: str
@@ -198,6 +200,7 @@ def _listed(entry: Mapping[str, Any], start: int, length: int) -> ListedPage:
         refused=entry.get("refused"),
         order=entry["order"],
         names=names,
+        called="\n".join(("", *names, "")).casefold(),
         chosen_as=chosen_as,
         said=of_page.casefold(),
         words=" ".join((entry["id"], *names, *chosen_as, title)).casefold(),

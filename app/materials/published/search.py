@@ -34,12 +34,11 @@ def fitting(pages: Iterable[ListedPage], query: str) -> list[ListedPage]:
 
 def _rank(page: ListedPage, wanted: str, words: list[str]) -> int | None:
     if wanted in page.words:
-        names = [name.casefold() for name in page.names]
-        if wanted in names:
+        if f"\n{wanted}\n" in page.called:
             return 0
-        if any(name.startswith(wanted) for name in names):
+        if f"\n{wanted}" in page.called:
             return 1
-        if any(word.startswith(wanted) for name in names for word in name.split()):
+        if f" {wanted}" in page.called:
             return 2
         return 3
     if all(word in page.words for word in words):
