@@ -1,3 +1,11 @@
+FROM node:24-slim AS page
+WORKDIR /source
+COPY package.json package-lock.json ./
+RUN npm ci --omit=dev --ignore-scripts --no-audit --no-fund
+COPY tools/pack.mjs ./tools/
+COPY static ./static
+RUN node tools/pack.mjs
+
 FROM python:3.13-slim AS build
 RUN python -m venv /venv
 WORKDIR /source
@@ -6,7 +14,7 @@ RUN /venv/bin/pip install --no-cache-dir --require-hashes -r requirements.lock
 COPY pyproject.toml README.md LICENSE ./
 COPY app ./app
 COPY materials ./materials
-COPY static ./static
+COPY --from=page /source/static ./static
 RUN /venv/bin/pip install --no-cache-dir --no-deps --no-build-isolation .
 
 FROM python:3.13-slim

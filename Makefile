@@ -1,4 +1,5 @@
 # `make run` needs Python >= 3.11 alone; `make test` brings Node and Chromium where they are missing.
+# With Node on the machine, `make run` packs the page into a few files before.
 
 PYTHON ?= python3
 VENV := .venv
@@ -12,14 +13,21 @@ BROWSERS := chromium chromium-browser google-chrome-stable google-chrome
 export PATH := $(CURDIR)/$(BIN):$(CURDIR)/node_modules/.bin:$(PATH)
 
 .NOTPARALLEL:
-.PHONY: help run test format lint types unit browser fuzz bench lock audit lowest vendor readme pictures icons chromium shell glslang clean
+.PHONY: help run pack test format lint types unit browser fuzz bench lock audit lowest vendor readme pictures icons chromium shell glslang clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*##' Makefile | sed -E 's/:.*## /\t/' | expand -t 12
 
-run: $(VENV)/run.stamp ## serve on 127.0.0.1:8000 (FRESNEL_HOST and FRESNEL_PORT change it)
+run: $(VENV)/run.stamp pack ## serve on 127.0.0.1:8000 (FRESNEL_HOST and FRESNEL_PORT change it)
 	@$(BIN)/fresnel-explorer serve
+
+# Without Node, or where its packages cannot be had, the page comes module by module and is the same.
+NODE := node -e 'process.exit(+(parseInt(process.versions.node) < 20))' 2>/dev/null && npm --version >/dev/null 2>&1
+NPM := npm ci --ignore-scripts --no-audit --no-fund
+pack: ## pack the page into a few files, where Node >= 20 is on the machine
+	@if $(NODE) && { [ -d node_modules/rolldown ] || $(NPM) --omit=dev --silent; } && node tools/pack.mjs; then :; \
+	else echo "the page is not packed, and comes module by module" >&2; fi
 
 test: lint types unit browser ## check everything, as .ci/run does
 
@@ -104,9 +112,9 @@ $(VENV)/test.stamp: requirements-test.lock $(VENV)/run.stamp
 	@touch $@
 
 node_modules/stamp: package-lock.json requirements-node.lock | $(BIN)/python
-	@node -e 'process.exit(+(parseInt(process.versions.node) < 20))' 2>/dev/null && npm --version >/dev/null \
+	@$(NODE) \
 	  || $(INSTALL) --require-hashes -r requirements-node.lock
-	npm ci --ignore-scripts --no-audit --no-fund
+	$(NPM)
 	@touch $@
 
 # By apt where there is none of these and apt may be used; elsewhere what needs them skips, and fails in CI.

@@ -6,7 +6,7 @@ import logging
 import sys
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import orjson
@@ -54,6 +54,8 @@ from app.http.middleware import CommonHeaders, Fallback, HeadAsGet, KnownHosts
 from app.http.serving import Serving
 from app.optics.registry import Registry, default_registry
 from app.page.files import Page, document_headers
+from app.page.first_picture import first_picture
+from app.page.packed import page_form
 from app.server.drain import Drain
 from app.server.memory import share_one_heap
 from app.server.observe.access_log import AccessLog
@@ -222,5 +224,7 @@ def create_app(settings: Settings | None = None, registry: Registry | None = Non
         return Encoded(await to_thread.run_sync(app.described, request.scope["root_path"]))
 
     made = {_KERNELS: kernels(registry).encode()}
-    app.router.routes.append(Fallback("/", Page(settings.static_dir, made), name="page"))
+    picture = partial(first_picture, app.state.table.ask)
+    page = Page(settings.static_dir, made, picture, page_form(settings.page, settings.static_dir))
+    app.router.routes.append(Fallback("/", page, name="page"))
     return app

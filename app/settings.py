@@ -43,6 +43,11 @@ class Settings(BaseSettings):
         25, ge=0, le=3600, description="Seconds that requests in flight are then given to end."
     )
     static_dir: Path = Field(default_factory=_static_dir, description="Folder of the page's files.")
+    page: Literal["auto", "packed", "sources"] = Field(
+        "auto",
+        description="Whether the page comes in few files, as `make pack` made them, or module by "
+        "module; `auto` takes the files unless they are missing or older than the sources.",
+    )
     max_age_s: int = Field(
         3600, ge=0, description="How long caches may keep an answer of the API, in seconds."
     )

@@ -9,7 +9,9 @@
 /* global FILES, VERSION */
 const HOME = new URL("./", self.location.href).href;
 const KEPT = `fresnel-page-${VERSION}`;
-const KNOWN = new Set(FILES.map((path) => new URL(path, HOME).href));
+/** The page without a picture: what is kept stands for every address. */
+const PAGE = new URL("index.html", HOME).href;
+const KNOWN = new Set([HOME, ...FILES.map((path) => new URL(path, HOME).href)]);
 
 self.addEventListener("install", (event) => {
   // Where browsers can be told so, the API's answers do not even pass by here.
@@ -48,7 +50,8 @@ self.addEventListener("fetch", (event) => {
       try {
         return await fetch(request);
       } catch (error) {
-        const kept = await caches.match(address.href, { cacheName: KEPT });
+        const file = address.href === HOME ? PAGE : address.href;
+        const kept = await caches.match(file, { cacheName: KEPT });
         if (kept) return kept;
         throw error;
       }

@@ -121,6 +121,8 @@ class Model:
     a few last ones for each, NaN where a curve has fewer; None where there are none."""
     trap: bool = False
     """Whether it is kept to show a mistake; its title ends in "(trap)"."""
+    rank: int = 1
+    """Its place in lists, lowest first; of one rank by id, and traps behind all others."""
     measured: tuple[Measured, ...] = ()
     """Errors of an approximation at representative interfaces, each of which a test measures
     again."""
@@ -247,10 +249,12 @@ def _asked(function: Callable[..., Array]) -> tuple[str, ...]:
 
 
 class Registry(Collection[Model]):
-    """Models in order: `exact` first, then exact forms, then approximations."""
+    """Models in order: `exact`, exact forms, approximations by their rank, traps."""
 
     def __init__(self, models: Iterable[Model]) -> None:
-        ordered = sorted(models, key=lambda m: (m.id != "exact", m.kind != "exact", m.id))
+        ordered = sorted(
+            models, key=lambda m: (m.id != "exact", m.kind != "exact", m.trap, m.rank, m.id)
+        )
         super().__init__(ordered, UnknownModel, "models")
 
 

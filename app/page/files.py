@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, MutableMapping
+from collections.abc import Callable, Mapping, MutableMapping
 from functools import lru_cache
 from mimetypes import guess_type
 from pathlib import Path
@@ -21,6 +21,9 @@ from starlette.types import Message, Receive, Scope, Send
 from app.http.body import EncodedBody, Headers
 from app.http.encoded import Encoded
 from app.http.problems import problem_response
+from app.page.document import NAME, Document
+from app.page.first_picture import FirstPicture
+from app.page.packed import FOLDER, MANIFEST, Packed
 from app.page.service_worker import SCRIPT, service_worker
 
 _CONTENT_SECURITY_POLICY = "; ".join(
@@ -67,7 +70,8 @@ _UNDERSTOOD = {".css", ".js"}
 _LOOKS_AFTER_S = 1.0
 """How long the service worker's list of files is taken to be what it was."""
 
-_TEXT = {".css", ".html", ".js", ".json", ".svg", ".txt", ".webmanifest"}
+_MEDIA_TYPES = {".map": "application/json"}
+_TEXT = {".css", ".html", ".js", ".json", ".map", ".svg", ".txt", ".webmanifest"}
 
 
 class Page(StaticFiles):
@@ -79,11 +83,23 @@ class Page(StaticFiles):
         The folder of the files.
     made
         Scripts that stand beside them without being files, by name.
+    picture
+        Draws the state in an address, for the document to start with.
+    packed
+        The files that stand in the document in place of its sources.
     """
 
-    def __init__(self, directory: Path, made: Mapping[str, bytes] | None = None) -> None:
+    def __init__(
+        self,
+        directory: Path,
+        made: Mapping[str, bytes] | None = None,
+        picture: Callable[[bytes], FirstPicture | None] = lambda _: None,
+        packed: Packed | None = None,
+    ) -> None:
         super().__init__(directory=directory, html=True)
         self._made = made or {}
+        self._packed = packed
+        self._document = Document(directory, picture, packed.replaced if packed else {})
         self._script: tuple[bytes, EncodedBody] | None = None
         self._looked_at = 0.0
         self._scripts = {name: _script(script) for name, script in self._made.items()}
@@ -95,6 +111,10 @@ class Page(StaticFiles):
         try:
             if path == SCRIPT and scope["method"] in {"GET", "HEAD"}:
                 return Encoded(await self._worker())
+            if path in {".", NAME} and scope["method"] in {"GET", "HEAD"}:
+                # By its name the document shows nothing yet: so it is kept for any address.
+                query = scope["query_string"] if path == "." else None
+                return Encoded(await to_thread.run_sync(self._document.body, query))
             response = await super().get_response(path, scope)
             if isinstance(response, RedirectResponse):  # to a folder's own address
                 response.headers["Location"] = _below(scope)
@@ -107,7 +127,9 @@ class Page(StaticFiles):
         if self._script is None or monotonic() - self._looked_at > _LOOKS_AFTER_S:
             self._looked_at = monotonic()
             directory = Path(str(self.directory)).resolve()
-            script = await to_thread.run_sync(service_worker, directory, self._made)
+            script = await to_thread.run_sync(
+                service_worker, directory, self._made, self._packed is not None
+            )
             if self._script is None or self._script[0] != script:
                 self._script = script, _script(script)
         return self._script[1]
@@ -122,7 +144,7 @@ class Page(StaticFiles):
         """Send a file: vendored ones may be kept for ever, our own are asked after every time."""
         path = Path(full_path)
         parts = path.relative_to(Path(str(self.directory)).resolve()).parts
-        vendored = parts[0] == "vendor" and path.name != "manifest.json"
+        vendored = parts[0] in {"vendor", FOLDER} and path.name != Path(MANIFEST).name
         cache_control = "public, max-age=31536000, immutable" if vendored else "no-cache"
         if path.suffix in _TEXT and status_code == 200:
             return Encoded(_encoded(path, stat_result.st_mtime_ns, cache_control))
@@ -189,7 +211,7 @@ def _script(script: bytes) -> EncodedBody:
 @lru_cache(maxsize=512)
 def _encoded(path: Path, _mtime_ns: int, cache_control: str) -> EncodedBody:
     """A text file to be sent; read again when it has changed."""
-    media_type = guess_type(path.name)[0] or "text/plain"
+    media_type = guess_type(path.name)[0] or _MEDIA_TYPES.get(path.suffix, "text/plain")
     # Scripts and styles are read as UTF-8 in our documents without being told so in each answer.
     if media_type.startswith("text/") and path.suffix not in _UNDERSTOOD:
         media_type += "; charset=utf-8"

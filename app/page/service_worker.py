@@ -7,15 +7,21 @@ from hashlib import sha256
 from pathlib import Path
 
 from app import __version__
+from app.page.document import STYLES
+from app.page.packed import FOLDER
 
 SCRIPT = "sw.js"
 
 # Of the page itself; the API's documentation and what only tools read can wait for the server.
 _KEPT = {".css", ".html", ".js", ".svg", ".webmanifest", ".woff2"}
 _NOT_KEPT = ("docs/", "vendor/swagger", SCRIPT)
+_AS_IT_IS = ("js/page/theme.js", "js/server/fetcher.js")
+"""Scripts that the packed page takes from its sources: no modules of it."""
 
 
-def service_worker(static_dir: Path, made: Mapping[str, bytes] | None = None) -> bytes:
+def service_worker(
+    static_dir: Path, made: Mapping[str, bytes] | None = None, packed: bool = False
+) -> bytes:
     """Return the script of the service worker, which changes when any file of the page does.
 
     Parameters
@@ -24,12 +30,18 @@ def service_worker(static_dir: Path, made: Mapping[str, bytes] | None = None) ->
         The folder of the page's files.
     made
         What the server adds to them, by name.
+    packed
+        Whether the document names packed files in place of their sources.
     """
+    left_out = _NOT_KEPT + (("js/", *STYLES) if packed else (f"{FOLDER}/",))
+
+    def is_kept(name: str) -> bool:
+        return not name.startswith(left_out) or (packed and name in _AS_IT_IS)
+
     files = sorted(
         path
         for path in static_dir.rglob("*")
-        if path.suffix in _KEPT
-        and not path.relative_to(static_dir).as_posix().startswith(_NOT_KEPT)
+        if path.suffix in _KEPT and is_kept(path.relative_to(static_dir).as_posix())
     )
     stamped = tuple((path, path.stat().st_mtime_ns) for path in files)
     return _script(static_dir, stamped, tuple((made or {}).items()))
@@ -45,7 +57,7 @@ def _script(
         address = path.relative_to(static_dir).as_posix()
         digest.update(address.encode())
         digest.update(sha256(path.read_bytes()).digest())
-        addresses.append("./" if address == "index.html" else address)
+        addresses.append(address)
     for name, content in made:
         addresses.append(name)
         digest.update(sha256(content).digest())

@@ -223,7 +223,7 @@ async function start() {
     try {
       const [{ createAnswers }, { models }] = await Promise.all([
         import("./kernels/answers.js"),
-        import(new URL("../kernels.js", import.meta.url).href),
+        import(new URL("kernels.js", document.baseURI).href),
       ]);
       answerer = createAnswers(models, catalog);
       asking.ask(); // what has failed is said anew
@@ -326,10 +326,12 @@ async function start() {
     make(id, module) {
       const host = h("div", { class: `view view-${id}` });
       // In the document before the view is made: plots read their colours and sizes from it.
-      main.querySelector(".starting")?.remove();
+      const first = /** @type {HTMLElement | null} */ (main.querySelector(".starting"));
+      first?.remove();
       main.append(host);
       const view = module.createView({
         element: host,
+        first,
         views: VIEWS,
         catalog,
         presets,
@@ -392,10 +394,32 @@ async function start() {
     notice: shell.notice,
     describeMedia,
     formulas: () => load("/formulas"),
+    async places() {
+      const [{ SECTIONS }, { STEPS }, { TRAPS }, { SHEETS }, { TARGETS }, { engines }] =
+        await Promise.all([
+          import("./theory/fields.js"),
+          import("./theory/steps.js"),
+          import("./theory/trap-cards.js"),
+          import("./theory/worksheets.js"),
+          import("./takeaway/use.js"),
+          load("/engines").catch(() => ({ engines: [] })),
+        ]);
+      return {
+        sections: SECTIONS,
+        steps: STEPS,
+        traps: TRAPS,
+        sheets: SHEETS,
+        targets: TARGETS,
+        engines,
+      };
+    },
     actions: [
       { name: "Undo", note: "Ctrl Z", run: orders.undo },
       { name: "Redo", note: "Ctrl Shift Z", run: orders.redo },
       { name: "Keys", note: "?", run: orders.help },
+      { name: "Light or dark", note: "theme", run: () => byId("theme").click() },
+      { name: "Copy the link", note: "link", run: () => byId("copy-link").click() },
+      { name: "Print", note: "Ctrl P", run: () => print() },
       { name: "Present", note: "in large type, alone", run: () => state.set({ present: "1" }) },
       { name: "Your own material…", note: "a file or a table", run: () => orders.own() },
     ],

@@ -177,6 +177,8 @@ interface Landmark {
 /** What main.js gives to a view. */
 interface ViewContext {
   element: HTMLElement;
+  /** What stood here before the first view: the server's picture of it, if it drew one. */
+  first: HTMLElement | null;
   /** All there are. */
   views: readonly { id: string; title: string }[];
   catalog: Catalog;

@@ -26,14 +26,14 @@ def test_the_version_is_that_of_the_contents(tmp_path: Path) -> None:
     folder = page(tmp_path)
     before = service_worker(folder)
     assert service_worker(folder) == before
-    assert constant(before, "FILES") == ["./", "js/a.js"]
+    assert constant(before, "FILES") == ["index.html", "js/a.js"]
     (folder / "js" / "a.js").write_text("other")
     after = service_worker(folder)
     assert constant(after, "VERSION") != constant(before, "VERSION")
     (folder / "js" / "b.js").write_text("")
-    assert constant(service_worker(folder), "FILES") == ["./", "js/a.js", "js/b.js"]
+    assert constant(service_worker(folder), "FILES") == ["index.html", "js/a.js", "js/b.js"]
     made = service_worker(folder, {"kernels.js": b"1"})
-    assert constant(made, "FILES") == ["./", "js/a.js", "js/b.js", "kernels.js"]
+    assert constant(made, "FILES") == ["index.html", "js/a.js", "js/b.js", "kernels.js"]
     other = service_worker(folder, {"kernels.js": b"2"})
     assert constant(made, "VERSION") != constant(other, "VERSION")
 
@@ -41,7 +41,7 @@ def test_the_version_is_that_of_the_contents(tmp_path: Path) -> None:
 def test_it_keeps_what_every_view_needs_and_nothing_that_is_not_there() -> None:
     files = constant(service_worker(STATIC), "FILES")
     assert isinstance(files, list)
-    assert all((STATIC / name).is_file() for name in files if name != "./")
+    assert all((STATIC / name).is_file() for name in files)
     views = {path.relative_to(STATIC).as_posix() for path in STATIC.glob("js/views/*.js")}
     assert views <= set(files)
     assert not [name for name in files if "swagger" in name or name.startswith("docs/")]

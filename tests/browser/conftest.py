@@ -9,6 +9,7 @@ import time
 import urllib.error
 import urllib.request
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
@@ -56,14 +57,14 @@ def browser_type_launch_args(browser_type_launch_args: dict[str, Any]) -> dict[s
     }
 
 
-@pytest.fixture(scope="session")
-def server_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """Serve the application on a free port for the whole session."""
+@contextmanager
+def served(folder: Path, **settings: str) -> Iterator[str]:
+    """Serve the application on a free port, with settings, and its log in a folder."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
     url = f"http://127.0.0.1:{port}"
-    log = tmp_path_factory.mktemp("server") / "server.log"
+    log = folder / "server.log"
     arguments = ["app.main:create_app", "--factory", "--port", str(port)]
     arguments += ["--log-level", "warning", "--no-server-header"]  # as the program does
     with (
@@ -71,6 +72,7 @@ def server_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         subprocess.Popen(
             [sys.executable, "-m", "uvicorn", *arguments],
             cwd=ROOT,
+            env={**os.environ, **settings},
             stdout=output,
             stderr=subprocess.STDOUT,
         ) as server,
@@ -80,6 +82,38 @@ def server_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
             yield url
         finally:
             server.terminate()
+
+
+@pytest.fixture(scope="session")
+def server_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """Serve the page from its sources, for the whole session."""
+    with served(tmp_path_factory.mktemp("server"), FRESNEL_PAGE="sources") as url:
+        yield url
+
+
+@pytest.fixture(scope="session")
+def packed_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """Serve the page packed, from a copy that nothing else is packed into."""
+    folder = tmp_path_factory.mktemp("packed")
+    if shutil.which("node") is None or not (ROOT / "node_modules" / "rolldown").is_dir():
+        if os.environ.get("CI"):
+            pytest.fail("the page cannot be packed without node and rolldown")
+        pytest.skip("the page cannot be packed without node and rolldown")
+    static = folder / "static"
+    shutil.copytree(ROOT / "static", static, ignore=shutil.ignore_patterns("packed"))
+    subprocess.run(["node", "tools/pack.mjs", str(static)], cwd=ROOT, check=True)
+    with served(folder, FRESNEL_PAGE="packed", FRESNEL_STATIC_DIR=str(static)) as url:
+        yield url
+
+
+@pytest.fixture(params=["sources", "packed"])
+def in_both_forms(
+    request: pytest.FixtureRequest, browser_context_args: dict[str, Any]
+) -> dict[str, Any]:
+    """Run a file's tests on either form of the page, as its `browser_context_args`."""
+    if request.param == "sources":
+        return browser_context_args
+    return {**browser_context_args, "base_url": request.getfixturevalue("packed_url")}
 
 
 def wait_until_healthy(server: subprocess.Popen[bytes], url: str, log: Path) -> None:
@@ -107,10 +141,10 @@ def browser_context_args(browser_context_args: dict[str, Any]) -> dict[str, Any]
 
 
 @pytest.fixture
-def quiet_page(page: Page, server_url: str) -> Iterator[Page]:
+def quiet_page(page: Page, browser_context_args: dict[str, Any]) -> Iterator[Page]:
     """Give a page that must log nothing, raise nothing and ask no other host for anything."""
     noise: list[str] = []
-    own_host = urlsplit(server_url).netloc
+    own_host = urlsplit(browser_context_args["base_url"]).netloc
 
     def note_console(message: ConsoleMessage) -> None:
         if GRAPHICS_REMARK in message.text or KEEPING_REMARK in message.text:

@@ -8,6 +8,7 @@ from urllib.parse import urlsplit
 import pytest
 from playwright.sync_api import Page, Route, expect
 
+from tests.browser.conftest import in_both_forms
 from tests.browser.explore_page import (
     READY_MS,
     at_rest,
@@ -18,6 +19,8 @@ from tests.browser.explore_page import (
     settled_link,
     type_into,
 )
+
+browser_context_args = in_both_forms
 
 
 def test_starts_with_the_exact_numbers_of_glass(quiet_page: Page) -> None:
@@ -184,6 +187,7 @@ def test_a_link_reproduces_the_view(quiet_page: Page) -> None:
     type_into(page, "theta_i_deg", "50")
     page.get_by_role("radio", name="radians").check()
     page.get_by_role("checkbox", name="phases").check()
+    page.locator("summary", has_text="Approximations").click()
     page.get_by_role("checkbox", name="Schlick", exact=True).check()
     page.get_by_role("radio", name="p", exact=True).check()
     expect(page.locator(".plot-legend")).to_contain_text("Schlick")

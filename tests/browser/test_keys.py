@@ -6,10 +6,12 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, Route, expect
 
+from tests.browser.conftest import in_both_forms
 from tests.browser.explore_page import box, link, opened, settled_link, type_into
 
 AXE = Path(__file__).parents[2] / "node_modules" / "axe-core" / "axe.min.js"
 LOADED_MS = 20_000
+browser_context_args = in_both_forms
 
 
 def test_undo_and_redo_follow_the_state_not_the_history(quiet_page: Page) -> None:
@@ -102,6 +104,53 @@ def test_the_finder_opens_models_media_formulas_and_views(quiet_page: Page) -> N
     settled_link(page, "view", "materials")
     find("undo", "Undo", "albedo")
     settled_link(page, "view", "albedo")
+
+
+@pytest.mark.parametrize(
+    ("words", "first"),
+    [
+        ("plastic", "PMMA"),
+        ("acrylic", "PMMA"),
+        ("chrome", "Chromium"),
+        ("steel", "Stainless steel"),
+        ("skin", "Skin"),
+        ("glass", "Glass (typical)"),
+        ("blender", "Use a material in Blender"),
+        ("unreal", "Spherical Gaussian"),
+        ("gltf", "Use a material in glTF"),
+        ("worksheet", "Worksheets"),
+        ("help", "Keys"),
+        ("total reflection", "From below: total reflection"),
+        ("pond", "Reflection at a pond"),
+        ("filament", "Filament"),
+        ("print", "Print"),
+    ],
+)
+def test_the_finder_leads_to_what_the_trade_means(page: Page, words: str, first: str) -> None:
+    opened(page)
+    page.keyboard.press("Control+k")
+    results = page.get_by_role("dialog").get_by_role("option")
+    page.get_by_role("combobox", name="Find a view").fill(words)
+    expect(results.first).to_contain_text(first)
+    if words in ("help", "gltf"):  # scattered letters of theirs are in Helium and LiF
+        expect(results.filter(has_text=re.compile("Helium|Lithium"))).to_have_count(0)
+
+
+def test_what_is_found_of_the_trade_opens(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    for words, key, value in (
+        ("skin", "n_t", r"1\.4"),
+        ("blender", "preset", "Au"),
+        ("cycles", "engine", "cycles"),
+        ("worksheet", "section", "worksheets"),
+        ("why gold", "step", "rgb"),
+    ):
+        page.keyboard.press("Control+k")
+        page.get_by_role("combobox", name="Find a view").fill(words)
+        page.wait_for_function("() => document.querySelectorAll('#finder-list li').length > 0")
+        page.wait_for_load_state("networkidle")
+        page.keyboard.press("Enter")
+        settled_link(page, key, value)
 
 
 def test_the_finder_says_when_nothing_is_called_so(quiet_page: Page) -> None:

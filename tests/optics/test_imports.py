@@ -47,7 +47,7 @@ LAYERS = {
         "app.server.pool",
         "app.snippets",
     },
-    "app.page": {"app.http"},
+    "app.page": {"app.answers", "app.http", "app.optics"},
     "app.settings": set(),
 }
 OUTSIDE = {

@@ -239,6 +239,16 @@ def test_exact_comes_first_then_exact_forms_then_approximations() -> None:
     assert list(default_registry()) == [model.id for model in MODELS]
 
 
+def test_schlick_is_the_first_approximation_and_traps_are_the_last() -> None:
+    approximations = [model for model in MODELS if model.kind == "approximation"]
+    assert approximations[0].id == "schlick"
+    traps = [model.trap for model in approximations]
+    assert any(traps)
+    assert traps == sorted(traps)
+    names = [model.id for model in approximations[1:] if not model.trap]
+    assert names == sorted(names)
+
+
 def test_every_file_is_registered() -> None:
     folder = Path(app.optics.models.__path__[0])
     files = {path.stem for path in folder.glob("*.py")} - {"__init__"}

@@ -12,6 +12,7 @@ def schlick(interface: Interface, incidence: Incidence, F0: Array) -> Array:  # 
 MODEL = Model(
     id="schlick",
     title="Schlick",
+    rank=0,
     latex=r"R\approx F_0+(1-F_0)(1-\mu)^5",
     reference="C. Schlick, An Inexpensive BRDF Model for Physically-based Rendering, Computer "
     "Graphics Forum 13(3), 1994, doi:10.1111/1467-8659.1330233",

@@ -209,6 +209,7 @@ export function createRow({
   prefix = "",
   preset,
   label,
+  term,
   range,
   wide,
   steps,
@@ -270,7 +271,9 @@ export function createRow({
   const element = h(
     "div.row",
     { "data-parameter": parameter.name, role: "group", "aria-label": label },
-    h("label.row-name", { for: `${id}-box` }, symbol(parameter.symbol), h("span", label)),
+    term
+      ? h("div.row-name", term, h("label", { for: `${id}-box` }, label))
+      : h("label.row-name", { for: `${id}-box` }, symbol(parameter.symbol), h("span", label)),
     h("div", h("div.box-frame", box)),
     play,
     h("div.track", h("div.track-frame", slider, ticks)),

@@ -6,7 +6,10 @@ import { h } from "../page/dom.js";
 import { loadStyle } from "../page/style.js";
 import { distance } from "../state/state.js";
 
-const MOST_TYPOS = 2;
+/** A letter more, less or other is a slip in a word this long; in a shorter one it is another word. */
+const LEAST_WORD = 5;
+/** From here on two of them are. */
+const LONG_WORD = 8;
 const PAUSE = 200; // ms after a key until pages are searched
 const PAGES = "refractiveindex.info";
 
@@ -33,20 +36,21 @@ export function matching(materials, text) {
     if (own.startsWith(asked)) return 2;
     const words = [...called.split(/[\s,()]+/), ...aliases.map((alias) => alias.toLowerCase())];
     if (words.some((word) => word.startsWith(asked))) return 3;
-    if (called.includes(asked) || own.includes(asked)) return 4;
+    if (asked.length > 2 && (called.includes(asked) || own.includes(asked))) return 4;
     if (category.startsWith(asked)) return 5;
     return asked.length > 2 && source.toLowerCase().includes(asked) ? 6 : 9;
   };
   const ranked = materials.map((m) => ({ m, rank: rank(m) })).filter((r) => r.rank < 9);
   if (ranked.length > 0) return ranked.sort((a, b) => a.rank - b.rank).map((r) => r.m);
+  const slips = asked.length < LEAST_WORD ? 0 : asked.length < LONG_WORD ? 1 : 2;
   const near = materials
     .map((m) => {
-      const words = [m.id, ...m.name.split(/[\s,()]+/), ...(m.aliases ?? [])].map((w) =>
-        w.toLowerCase(),
-      );
+      const words = [m.id, ...m.name.split(/[\s,()]+/), ...(m.aliases ?? [])]
+        .map((w) => w.toLowerCase())
+        .filter((word) => word.length >= LEAST_WORD);
       return { m, far: Math.min(...words.map((word) => distance(asked, word))) };
     })
-    .filter(({ far }) => far <= Math.min(MOST_TYPOS, asked.length - 2));
+    .filter(({ far }) => far <= slips);
   return near.sort((a, b) => a.far - b.far).map(({ m }) => m);
 }
 

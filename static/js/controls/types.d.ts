@@ -16,6 +16,8 @@ interface InterfaceOptions {
   prefix: string;
   /** How each index is shown, in this order. */
   manners?: Record<string, RowManner>;
+  /** Makes a symbol that is explained by a tap. */
+  term?: (name: string, symbol: Node) => HTMLElement;
   describeMedia: () => Promise<void>;
 }
 
@@ -62,6 +64,7 @@ interface ControlsOptions {
   state: () => State;
   actions: Actions;
   describeMedia: () => Promise<void>;
+  say: (text: string) => void;
 }
 
 interface PlayerOptions {
@@ -85,6 +88,8 @@ interface RowOptions {
   /** The value that a double click goes back to; null leaves it to the server. */
   preset: number | null;
   label: string;
+  /** The symbol, where it is explained by a tap. */
+  term?: HTMLElement;
   /** Of the slider. */
   range: [number, number];
   /** Of the slider after "more". */

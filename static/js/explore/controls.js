@@ -14,25 +14,30 @@ import { forMedium, modelStyle } from "../models/look.js";
 import { angle } from "../numbers/format.js";
 import { h, symbol } from "../page/dom.js";
 import { chosenModels } from "../state/state.js";
+import { createTerm } from "./term.js";
 
 /** @param {ControlsOptions} options */
-export function createControls({ catalog, presets, state, actions, describeMedia }) {
+export function createControls({ catalog, presets, state, actions, describeMedia, say }) {
+  /** @param {string} name @param {Node} heading */
+  const term = (name, heading) => createTerm(name, heading, say);
   const { rows, media } = createInterface({
     catalog,
     presets,
     state,
     actions,
     prefix: "",
+    term,
     describeMedia,
   });
   const declared = catalog.parameters.find((p) => p.name === "theta_i_deg");
   if (declared) {
-    const { name, symbol, minimum, maximum } = declared;
+    const { name, symbol: letter, minimum, maximum } = declared;
     const unit = () => state().angle;
     const row = createRow({
       parameter: declared,
       preset: presets[name],
       label: "angle of incidence",
+      term: term(name, symbol(letter)),
       range: [0, 90],
       steps: ANGLE_STEPS,
       onChange: (value, moving) =>
@@ -41,7 +46,7 @@ export function createControls({ catalog, presets, state, actions, describeMedia
       writing: angleWriting(() => `${angle(minimum, unit())} to ${angle(maximum, unit())}`, unit),
     });
     const print = () => angle(state()[name], unit(), unit() === "deg" ? 1 : 3);
-    rows.push({ name, symbol, row, print });
+    rows.push({ name, symbol: letter, row, print });
   }
 
   const choices = createChoices(actions, {
@@ -73,7 +78,6 @@ export function createControls({ catalog, presets, state, actions, describeMedia
     if (models.length === 0) return [];
     return createFold({
       legend: kind === "exact" ? "Equivalent exact forms" : "Approximations",
-      open: kind === "approximation",
       entries: models.map(({ id, title, validity }) => ({
         id,
         title,
@@ -87,6 +91,8 @@ export function createControls({ catalog, presets, state, actions, describeMedia
       onChange: (ids) => actions.set({ models: ids.length ? ids : null }),
     });
   });
+  /** @type {Set<typeof overlays[number]>} */
+  const unfolded = new Set();
   const ownPlace = h("div");
   /** @type {ReturnType<typeof import("../controls/parameters.js").createParameters> | null} */
   let own = null;
@@ -147,8 +153,16 @@ export function createControls({ catalog, presets, state, actions, describeMedia
         ...(now.light === "white" ? ["white"] : []),
         ...(now.marks === "on" ? ["marks"] : []),
       ]);
-      for (const fold of overlays)
-        fold.update(chosenModels(now), reasons, forMedium(catalog.models, now.k_t));
+      for (const fold of overlays) {
+        // Folded until a link, or a hand, has chosen of it; then whoever folds it has it so.
+        if (
+          fold.update(chosenModels(now), reasons, forMedium(catalog.models, now.k_t)) &&
+          !unfolded.has(fold)
+        ) {
+          fold.element.open = true;
+          unfolded.add(fold);
+        }
+      }
       updateOwn();
     },
   };

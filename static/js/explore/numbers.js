@@ -2,6 +2,7 @@
 
 import { angle, inUnit, six } from "../numbers/format.js";
 import { copying, h, setText, symbol } from "../page/dom.js";
+import { createTerm } from "./term.js";
 
 /** While something moves, the numbers are written as often as an eye can catch, ms apart. */
 const READABLE = 100;
@@ -76,13 +77,15 @@ export function createNumbers(say) {
     return { entry, value };
   }
 
+  /** @param {NumberEntry} entry one stop for the Tab key leads to all of them */
+  const term = ({ name, heading }) => createTerm(name, heading, say, { tabindex: "-1" });
   const summary = summaryEntries().map(cell);
   const amplitudes = amplitudeEntries().map((row) => row.map(cell));
   const all = [...summary, ...amplitudes.flat()];
 
   const grid = h(
     "dl.numbers",
-    ...summary.map(({ entry, value }) => h("div", h("dt", entry.heading), h("dd", value))),
+    ...summary.map(({ entry, value }) => h("div", h("dt", term(entry)), h("dd", value))),
   );
   const table = h(
     "table.amplitudes",
@@ -99,7 +102,7 @@ export function createNumbers(say) {
       ...amplitudes.map((row) =>
         h(
           "tr",
-          h("th", { scope: "row" }, row[0]?.entry.heading),
+          h("th", { scope: "row" }, row[0] && term(row[0].entry)),
           ...row.map(({ value }) => h("td", value)),
         ),
       ),
@@ -116,6 +119,15 @@ export function createNumbers(say) {
     amplitudes.flat().map((c) => c.value),
     () => PARTS.length,
   );
+  for (const [host, columns] of /** @type {const} */ ([
+    [grid, () => getComputedStyle(grid).gridTemplateColumns.split(" ").length],
+    [table, () => 1],
+  ]))
+    roving(
+      host,
+      [.../** @type {NodeListOf<HTMLElement>} */ (host.querySelectorAll(".term"))],
+      columns,
+    );
 
   function everything() {
     const { n_i, n_t, k_t } = /** @type {Reading} */ (reading).interface;
@@ -197,7 +209,7 @@ function roving(element, cells, columns) {
     const move = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: columns(), ArrowUp: -columns() }[
       event.key
     ];
-    if (move === undefined) return;
+    if (move === undefined || cells[at] !== event.target) return;
     event.preventDefault();
     cells[at + move]?.focus();
   });

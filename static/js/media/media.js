@@ -7,7 +7,7 @@
 import { createRow, INDEX_STEPS } from "../controls/panel.js";
 import { put } from "../draw/svg.js";
 import { plain, significant } from "../numbers/format.js";
-import { h, setText } from "../page/dom.js";
+import { h, setText, symbol as symbolOf } from "../page/dom.js";
 
 /** From the far ultraviolet to radio, whatever a source covers. */
 export const WAVELENGTH = {
@@ -216,6 +216,7 @@ export function createInterface({
   actions,
   prefix,
   manners = MANNERS,
+  term,
   describeMedia,
 }) {
   const { materials } = catalog;
@@ -226,6 +227,7 @@ export function createInterface({
       parameter,
       prefix,
       preset: presets[name],
+      term: term?.(name, symbolOf(parameter.symbol)),
       ...manner,
       steps: INDEX_STEPS,
       onChange: (value, moving) =>

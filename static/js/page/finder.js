@@ -1,9 +1,10 @@
-/** One box that finds views, media, models and formulas, and does what has a key. */
+/** One box that finds whatever the page shows, and does what has a key. */
 
 import { matching } from "../controls/picker.js";
 import { copyText, h } from "./dom.js";
 import { addressOf, follow } from "./links.js";
 import { loadStyle } from "./style.js";
+import { led } from "./trade.js";
 
 const MOST_SHOWN = 60;
 /** Views whose second medium is the one that is found; elsewhere it is opened among the materials. */
@@ -88,8 +89,8 @@ export async function openFinder(options) {
     role: "combobox",
     autocomplete: "off",
     spellcheck: "false",
-    placeholder: "gold, schlick, Brewster, albedo …",
-    "aria-label": "Find a view, a medium, a model or a formula",
+    placeholder: "gold, plastic, schlick, Brewster, blender, worksheet …",
+    "aria-label": "Find a view, a medium, a model, a formula, a lesson or an engine",
     "aria-expanded": "true",
     "aria-autocomplete": "list",
     "aria-controls": "finder-list",
@@ -97,13 +98,16 @@ export async function openFinder(options) {
   const list = h("ul", { id: "finder-list", role: "listbox", "aria-label": "Found" });
   const none = h("p.finder-none", { role: "status" });
   const dialog = h("dialog.dialog.finder", { "aria-label": "Find anything" }, input, list, none);
-  let all = entries(options);
+  /** What is found once it has come. @type {Findable[]} */
+  let come = [];
   /** @type {Findable[]} */
   let found = [];
   let active = 0;
 
   function show() {
-    const fitting = matching(all, input.value);
+    const all = [...entries(options), ...come];
+    const leading = led(all, input.value);
+    const fitting = [...leading, ...matching(all, input.value).filter((e) => !leading.includes(e))];
     found = fitting.slice(0, MOST_SHOWN);
     list.replaceChildren(
       ...found.map((entry, index) =>
@@ -166,16 +170,19 @@ export async function openFinder(options) {
   dialog.showModal();
   show();
 
-  // Authors, other names and formulas are found as soon as they are here; names will do until then.
+  // Authors, other names and all else are found as soon as they are here; names will do until then.
   await Promise.all([
     options.describeMedia(),
-    options.formulas().then(
-      ({ formulas }) => {
-        all = [...all, ...formulaEntries(formulas)];
+    Promise.all([
+      import("./found.js"),
+      options.formulas().catch(() => ({ formulas: [] })),
+      options.places(),
+    ]).then(
+      ([{ moreEntries }, { formulas }, places]) => {
+        come = [...formulaEntries(formulas), ...moreEntries(places, options.set)];
       },
       () => {},
     ),
   ]);
-  all = [...entries(options), ...all.filter((entry) => entry.category === "formula")];
   if (dialog.open) show();
 }

@@ -1,6 +1,7 @@
 /** What stands around every view: tabs, theme, notices, the line that shows work, the footer, the keys. */
 
 import { byId, copying, h, setText } from "./dom.js";
+import { clicked, follow } from "./links.js";
 
 const NOTICEABLE = 250; // ms: work that is done sooner is not shown
 const THEMES = /** @type {const} */ (["auto", "light", "dark"]);
@@ -13,8 +14,9 @@ export function createShell({ views, onView, onPresent, onTheme }) {
   const notices = byId("notices");
   const calls = byId("calls");
 
-  const tabs = views.map(({ id, title }) => {
-    const link = h("a", { href: `?view=${id}` }, title);
+  const nav = /** @type {HTMLElement} */ (document.querySelector(".views"));
+  const tabs = views.map(({ id }) => {
+    const link = /** @type {HTMLElement} */ (nav.querySelector(`[data-view="${id}"]`));
     link.addEventListener("click", (event) => {
       if (event.ctrlKey || event.metaKey || event.shiftKey) return;
       event.preventDefault();
@@ -22,7 +24,18 @@ export function createShell({ views, onView, onPresent, onTheme }) {
     });
     return { id, link };
   });
-  document.querySelector(".views")?.append(...tabs.map((t) => t.link));
+  // One stop for the Tab key each, so that the picture is not far.
+  moveByArrows(tabs.map(({ link }) => link));
+  const starters = [
+    .../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("#intro a:not(.door)")),
+  ];
+  for (const link of starters.slice(1)) link.tabIndex = -1;
+  moveByArrows(starters);
+  for (const link of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("#intro a")))
+    link.addEventListener(
+      "click",
+      clicked(() => follow(link.getAttribute("href") ?? "./")),
+    );
 
   const theme = byId("theme");
   function showTheme() {
@@ -64,7 +77,9 @@ export function createShell({ views, onView, onPresent, onTheme }) {
 
     /** @param {string} active */
     showTab(active) {
+      root.dataset.view = active;
       for (const { id, link } of tabs) {
+        link.tabIndex = id === active ? 0 : -1;
         if (id === active) {
           link.setAttribute("aria-current", "page");
           link.scrollIntoView({ block: "nearest", inline: "nearest" });
@@ -148,6 +163,19 @@ export function createShell({ views, onView, onPresent, onTheme }) {
       h("button.quiet", { type: "button", "aria-label": label, onclick }, "copy"),
     );
   }
+}
+
+/** @param {readonly HTMLElement[]} links between which arrows move */
+function moveByArrows(links) {
+  const last = links.length - 1;
+  for (const [at, link] of links.entries())
+    link.addEventListener("keydown", (event) => {
+      const next = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: last }[event.key];
+      const to = next === undefined ? undefined : links[next];
+      if (!to || event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      to.focus();
+    });
 }
 
 /**

@@ -30,6 +30,8 @@
   const asked = new URLSearchParams(location.search);
   for (const name of ["embed", "present"])
     root.toggleAttribute(`data-${name}`, asked.getAll(name)[0] === "1");
+  // Words to start with stand above Explore alone.
+  root.dataset.view = asked.get("view") ?? "explore";
   dark.addEventListener("change", () => {
     apply();
     root.dispatchEvent(new Event("themechange"));

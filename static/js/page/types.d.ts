@@ -152,6 +152,16 @@ interface Findable {
   run: () => void;
 }
 
+/** What only some views know, and can be found from everywhere. */
+interface FindablePlaces {
+  sections: readonly { id: string; title: string }[];
+  steps: readonly { id: string; title: string }[];
+  traps: readonly { id: string; title: string }[];
+  sheets: readonly { title: string }[];
+  engines: readonly { id: string; title: string }[];
+  targets: Readonly<Record<string, string>>;
+}
+
 interface FinderOptions {
   catalog: Catalog;
   views: readonly { id: string; title: string }[];
@@ -160,6 +170,7 @@ interface FinderOptions {
   set: (patch: State) => void;
   describeMedia: () => Promise<void>;
   formulas: () => Promise<{ formulas: { id: string; title: string }[] }>;
+  places: () => Promise<FindablePlaces>;
   actions: readonly { name: string; note: string; run: () => void }[];
   notice: (id: string, notice: { title: string; lines: string[] }) => void;
 }

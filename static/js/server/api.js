@@ -132,7 +132,9 @@ export const get = (url, signal) => transport(url, signal);
 export function startWorker() {
   if (typeof Worker === "undefined") return;
   setTimeout(() => {
-    const worker = new Worker(new URL("fetcher.js", import.meta.url), { type: "module" });
+    const worker = new Worker(new URL("js/server/fetcher.js", document.baseURI), {
+      type: "module",
+    });
     const up = () => {
       transport = through(worker);
     };

@@ -9,7 +9,7 @@ const MOST = 200;
 /** Keep the page's files from now on; done when they are kept. */
 export async function keepPage() {
   try {
-    await navigator.serviceWorker.register(new URL("../../sw.js", import.meta.url));
+    await navigator.serviceWorker.register(new URL("sw.js", document.baseURI));
     await navigator.serviceWorker.ready;
   } catch {
     // Forbidden here (plain http on another machine, a private window): the page works as before.

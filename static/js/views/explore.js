@@ -37,6 +37,7 @@ export function fields({ models }) {
 /** @param {ViewContext} context */
 export function createView({
   element,
+  first,
   catalog,
   presets,
   state,
@@ -47,7 +48,7 @@ export function createView({
   describeMedia,
   typeset,
 }) {
-  const controls = createControls({ catalog, presets, state, actions, describeMedia });
+  const controls = createControls({ catalog, presets, state, actions, describeMedia, say });
   const numbers = createNumbers(say);
   const split = createSplit();
   const light = h("span.at-nm");
@@ -80,6 +81,11 @@ export function createView({
   const diagramHost = h("div.diagram-host", diagramFrame);
   const plotFrame = h("div.frame");
   const plotHost = h("div.plot-host", plotFrame);
+  // What the server drew stands until the same is drawn here.
+  const firstRay = first?.querySelector(".first-ray");
+  const firstCurves = first?.querySelector(".first-curves");
+  if (firstRay) diagramHost.append(firstRay);
+  if (firstCurves) plotHost.append(firstCurves);
   const caption = h(
     "p.hint",
     "Drag the ray, or use ← → (Shift: finer). Alt frees it from the marks.",
@@ -132,21 +138,22 @@ export function createView({
   });
 
   element.append(
-    controls.element,
+    // Before the controls, which stand left of it, for who comes by the Tab key.
     h(
       "section.column.ray",
       { "aria-label": "Ray at the surface" },
+      diagramHost, // below its heading, which has more to press
       h(
-        "div.heading",
+        "div.heading.above",
         h("h2", "Ray at the surface"),
         h("label.with-curve", withCurve, "with its curve"),
         rayExports,
       ),
-      diagramHost,
       split.element,
       whitePlace,
       caption,
     ),
+    controls.element,
     h(
       "section.column.curves",
       { "aria-label": "Reflectance" },
@@ -262,7 +269,9 @@ export function createView({
       return;
     }
     if (look !== drawn.look) plot.axes(axesOf(shown));
-    plot.draw(traces, marks);
+    // Another state than that of the address: its curves are not to be taken for this one's.
+    if (drawn.curves && drawn.curves !== answers.curves) firstCurves?.remove();
+    void plot.draw(traces, marks).then(() => firstCurves?.remove());
     drawn = { curves: answers.curves, band, look, settled: true };
     if (band)
       import("../curves/band.js").then(({ bandsOf }) =>
@@ -309,6 +318,7 @@ export function createView({
         held: moving,
       };
       diagram.update(ray);
+      firstRay?.remove();
       white?.panel.update(rays, next, catalog.materials);
       split.update(/** @type {number} */ (share), /** @type {number} */ (passed), media.k_t > 0);
       setText(light, atWavelength(catalog.materials, next));
