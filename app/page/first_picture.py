@@ -180,10 +180,14 @@ def _ray(ray: Ray, share: float, passed: float) -> str:
     if ray.theta_t_deg is not None and not ray.total_internal_reflection:
         refracted = _direction(ray.theta_t_deg)
         parts += [_line("ray-direction", *refracted), _arrow(*refracted, passed)]
+    # Light from the denser side comes from below, as static/js/diagram/diagram.js has it.
+    below = facts.k_t == 0.0 and facts.n_i > facts.n_t
+    drawn = "".join(parts)
+    drawn = f'<g transform="scale(1 -1)">{drawn}</g>' if below else drawn
     said = f"Ray at {ray.theta_i_deg:.2f}°: {100 * share:.1f} % reflected"
     return (
         f'<svg class="diagram first-ray" viewBox="-1 -1 2 2" role="img" aria-label="{escape(said)}">'
-        f"{''.join(parts)}</svg>"
+        f"{drawn}</svg>"
     )
 
 

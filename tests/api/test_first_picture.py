@@ -236,3 +236,11 @@ class TestPacked:
         (folder / MANIFEST).write_text(text)
         assert packed(folder) is None
         assert page_form("auto", folder) is None
+
+
+def test_light_from_the_denser_side_comes_from_below(app: FastAPI) -> None:
+    turned = 'first-ray" viewBox="-1 -1 2 2"'
+    for query, below in (("?n_i=1.333&n_t=1", True), ("?n_t=1.5", False), ("?n_i=2&k_t=1", False)):
+        text = page(app, query).body.decode()
+        assert turned in text
+        assert ('<g transform="scale(1 -1)"><rect class="ray-medium ray-upper"' in text) is below
