@@ -145,8 +145,9 @@ DEPARTURES: Mapping[str, tuple[Departure | SettingDeparture, ...]] = {
             85.0,
         ),
         SettingDeparture(
-            "OpenPBRMaterial darkens a metal below a clear coat by half: gold, whose red is 0.958 "
-            "without one, reflects {measured} of it with a coat of index 1.5.",
+            "OpenPBRMaterial darkens what is below a clear coat by half in an even environment, "
+            "whatever its color: gold, whose red is 0.958 without one, reflects {measured} with a coat "
+            "of index 1.5, where all that goes to and fro makes 0.942.",
             "OpenPBRMaterial",
             {"coatWeight": 1, "coatIor": 1.5},
         ),

@@ -28,6 +28,7 @@ from app.optics.collection import Collection
 from app.optics.errors import UnknownModel
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
+from app.optics.models.babylon_openpbr import babylon_openpbr
 from app.optics.models.f82_tint import f82_tint
 from app.optics.parameters import Array
 from app.optics.specular import polynomial
@@ -111,6 +112,14 @@ def _openpbr(base: Base, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG
 def _materialx(base: Base, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
     coat = Interface(1.0, base.n)
     return _darkened(base, incidence, 1.0 - (1.0 - float(coat.F0)) / base.n**2)
+
+
+def _babylon(base: Base, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
+    """The color below times (1 - a)^2, a the mean of the coat's reflectance and of (1 + its F0) / 2."""
+    coat = Interface(1.0, base.n)
+    over = babylon_openpbr(coat, incidence, coat.F0)[..., np.newaxis]
+    a = 0.5 * (over + 0.5 * (1.0 + float(coat.F0)))
+    return _over(over, _metal(base, incidence) * (1.0 - a) ** 2)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -201,6 +210,16 @@ _SHORTCUTS = (
         "K = 1 - (1 - F0) / n^2 of the coat.",
         F0_below=kept,
         function=_materialx,
+    ),
+    CoatShortcut(
+        id="babylon_openpbr_coat",
+        title="OpenPBR in Babylon, even environment",
+        reference="Babylon.js 9.35.0, OpenPBRMaterial, image-based light with its coatDarkening of 1",
+        validity="It darkens what is below by half, whatever its color: a mirror below a coat reflects "
+        "0.54. Under single lights it darkens less.",
+        F0_below=kept,
+        function=_babylon,
+        engines=("babylon",),
     ),
 )
 

@@ -12,6 +12,7 @@ from app.engines.explained import (
 )
 from app.engines.measured import Curve, Engine, engines
 from app.optics.incidence import Incidence
+from app.optics.interface import Interface
 from app.optics.registry import default_registry
 
 ENGINES = list(engines().values())
@@ -84,8 +85,12 @@ def test_a_departure_is_more_than_noise(engine_id: str, departure: Departure) ->
 
 
 def test_departures_of_what_is_typed_are_more_than_noise() -> None:
-    """Half of glTF's 0.04 is 0.02; gold below a coat is 0.96 by the series of what goes to and fro."""
-    meant = {"filament": 0.02, "babylon": 0.96}
+    """Half of glTF's 0.04 is 0.02; gold below a coat is F + (1 - F)^2 R / (1 - F R)."""
+    (gold,) = (medium for medium in engines()["babylon"].media if medium.name == "gold")
+    inside = Interface(1.5, gold.n, gold.k).F0[0]
+    below_a_coat = 0.04 + 0.96**2 * inside / (1.0 - 0.04 * inside)
+    assert below_a_coat == pytest.approx(0.942, abs=5e-4)  # as the sentence says
+    meant = {"filament": 0.02, "babylon": below_a_coat}
     for name, expected in meant.items():
         (departure,) = (d for d in DEPARTURES[name] if isinstance(d, SettingDeparture))
         off = abs(departure.measured(engines()[name]) - expected)

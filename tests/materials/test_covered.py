@@ -86,7 +86,7 @@ def test_a_cover_of_index_1_is_none(catalog: Catalog, kind: CoverKind) -> None:
 def test_errors_are_against_the_whole(catalog: Catalog) -> None:
     answer = covered(catalog.get("Cr"), Cover("coat", Front(1.5)))
     assert answer.largest_angle_deg == pytest.approx(41.8103, abs=1e-4)
-    assert len(answer.shortcuts) == 7
+    assert len(answer.shortcuts) == 8
     for shortcut in answer.shortcuts:
         off = np.abs(shortcut.reflectance - answer.reflectance)
         assert shortcut.error.max_abs >= off.max() - 1e-9

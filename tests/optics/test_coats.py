@@ -49,6 +49,10 @@ def test_a_mirror_stays_one_but_where_the_coat_darkens_it_for_good() -> None:
     white = Base(np.ones(3), np.ones(3), 1.5)
     for shortcut in coat_shortcuts().values():
         found = shortcut.color(white, GRAZING)
+        if shortcut.id == "babylon_openpbr_coat":
+            # 0.04 + 0.96 (1 - 0.28)^2, of the mean of 0.04 and 0.52
+            np.testing.assert_allclose(found[0], 0.537664, rtol=1e-12)
+            continue
         assert found.shape == (4, 3)
         # The fits of F0 end a little off 1.
         np.testing.assert_allclose(found, 1.0, atol=0.005, err_msg=shortcut.id)
