@@ -32,10 +32,14 @@ LINES = {
 MOST_REQUESTS = 12
 MOST_BYTES = 100_000
 
-SEEN = """() => {
+SEEN = """(drawn) => {
   const painted = performance.getEntriesByName('first-contentful-paint')[0];
   const curve = document.querySelector('.first-curves path, .plot-canvas path.js-line[d]');
-  return painted && curve ? performance.now() : 0;
+  if (!painted || !curve) return 0;
+  // A document that was whole by then was painted with its curve, though scripts kept us from asking.
+  const [sent] = performance.getEntriesByType('navigation');
+  const whole = sent.domInteractive;
+  return drawn && whole && whole <= painted.startTime ? painted.startTime : performance.now();
 }"""
 PLOTTED = """() => {
   const curve = document.querySelector('.plot-canvas path.js-line');
@@ -94,8 +98,10 @@ async def load(browser: Browser, url: str, line: tuple[float, float, float]) -> 
     session.on("Network.requestWillBeSent", note_request)
     session.on("Network.dataReceived", note_data)
     await page.add_init_script(f"({SHIFTS})()")
-    await page.goto(url, wait_until="commit")
-    found.seen = float(await (await page.wait_for_function(SEEN, timeout=120_000)).json_value())
+    document = await page.goto(url, wait_until="commit")
+    drawn = document is not None and "first-curves" in await document.text()
+    seen = await page.wait_for_function(SEEN, arg=drawn, timeout=120_000)
+    found.seen = float(await seen.json_value())
     found.until_seen = sum(n for name, n in found.sent.items() if not is_library(name))
     found.plotted = float(
         await (await page.wait_for_function(PLOTTED, timeout=120_000)).json_value()
