@@ -492,3 +492,11 @@ def test_gold_under_a_coat_and_under_water(quiet_page: Page) -> None:
     index.fill("0.5")
     index.press("Enter")
     expect(index).to_have_attribute("aria-invalid", "true")
+    expect(panel.get_by_text("“0.5”: allowed is 1 to 4")).to_be_visible()
+    index.fill("1,4")
+    index.press("Enter")
+    choose(page, ".sheet.covered", "a coat")
+    assert link(page)["cover_n"] == "1.4"
+    index.fill("1")
+    index.press("Enter")
+    expect(panel).to_contain_text("A coat of index 1 is none")

@@ -283,6 +283,10 @@ test("what is converted follows the media, the boxes and the picture's color", (
     "/convert?from=nk&n_t=0.27&k_t=2.9",
   );
   assert.equal(
+    convertPath(stateWith({ from: "gltf", given: "1,5;0,5;1,5" })),
+    "/convert?from=gltf&ior=1.5&specularFactor=0.5&specularColorFactor=1,5",
+  );
+  assert.equal(
     convertPath(stateWith({ from: "f0", given: "1,5" })), // a list that is not whole, for the server to refuse
     "/convert?from=f0&F0=1,5",
   );

@@ -64,13 +64,13 @@ export function texts({ from, given }) {
   return inputs.map((_, i) => (parts[i] ?? "").trim());
 }
 
-/** What is one number and no color. */
-const SINGLE = ["n_t", "k_t", "specular", "reflectance"];
+/** What may be a color; all else is one number. */
+const COLORS = ["F0", "F0_srgb", "hex", "r", "g", "G", "specularColorFactor"];
 
 /** What is given, as the server reads it: 1,5 is 1.5 where no list can be meant. @param {string} name @param {string} text */
 function sent(name, text) {
   const bare = text.replace(/\s+/g, "").replace(/^#/, "");
-  return SINGLE.includes(name) ? bare.replace(/^(\d*),(\d+)$/, "$1.$2") : bare;
+  return COLORS.includes(name) ? bare : bare.replace(/^(\d*),(\d+)$/, "$1.$2");
 }
 
 /** @param {State} state @returns {string[]} what is given, as parts of a query */

@@ -2,6 +2,7 @@
 
 import { createChoices } from "../controls/panel.js";
 import { createTyped } from "../controls/typed.js";
+import { evaluate } from "../numbers/expression.js";
 import { clamp, plain } from "../numbers/format.js";
 import { encoded } from "../numbers/srgb.js";
 import { createChanged } from "../page/changed.js";
@@ -59,6 +60,7 @@ function shortcutRow({ title, validity, measured, F0, F0_error, error }) {
 function sentence({ cover, largest_angle_deg: largest }) {
   if (cover === "medium") return "Angles are those in the medium.";
   if (cover === "pane") return "Both faces of the pane, and all that goes to and fro, are in.";
+  if (largest === null) return "A coat of index 1 is none.";
   return `Light from air reaches the material below ${plain(largest, 3)}° at all angles: what it does at 82° is not seen.`;
 }
 
@@ -67,9 +69,10 @@ export function createCovered({ parent, actions }) {
   const choices = createChoices(actions, { cover: ["In front", COVERS] });
   const index = createTyped({
     attributes: { class: "box bound", "aria-label": "Index of what is in front" },
+    id: "cover-n-error",
     parse(text) {
-      const value = Number(text);
-      if (text !== "" && value >= COVER_N.minimum && value <= COVER_N.maximum) return value;
+      const value = evaluate(text);
+      if (value >= COVER_N.minimum && value <= COVER_N.maximum) return value;
       throw new Error(`allowed is ${plain(COVER_N.minimum)} to ${plain(COVER_N.maximum)}`);
     },
     onChange: (value) => actions.set({ cover_n: value }),
@@ -85,6 +88,7 @@ export function createCovered({ parent, actions }) {
       choices.elements.cover,
       h("label.given-label", h("span", "its index "), symbol("n"), index.box),
     ),
+    index.wrong,
     problem,
     body,
   );
