@@ -200,6 +200,7 @@ def test_the_catalog_finds_it_and_lists_it_nowhere() -> None:
     preset = catalog.get(TOKEN)
     assert (preset.id, preset.name, preset.called) == (TOKEN, "mine", "own-mine")
     assert catalog.find(TOKEN) == preset
+    assert catalog.get(f" {TOKEN}\n") == preset  # as it is copied out of a line
     assert catalog.find(TOKEN[:-4]) is None
     assert catalog.rivals(TOKEN) == ()
     assert all(other.id != TOKEN for other in catalog.search("mine"))

@@ -28,7 +28,6 @@ class Own:
     spectrum: Spectrum
 
 
-@lru_cache(maxsize=_KEPT)
 def own(token: str) -> Own:
     """Read the material that a token carries.
 
@@ -37,10 +36,15 @@ def own(token: str) -> Own:
     BrokenToken
         If it carries none.
     """
+    return _own(token.strip())
+
+
+@lru_cache(maxsize=_KEPT)
+def _own(token: str) -> Own:
     data = read(token)
     spectrum = Spectrum(_file(token, data))
     try:
-        return Own(_preset(token.strip(), data, spectrum), spectrum)
+        return Own(_preset(token, data, spectrum), spectrum)
     except OutOfRange as error:  # n = 100 in air is more against vacuum
         raise BrokenToken(token, f"{error.parameter} is to be {error.allowed}") from None
 

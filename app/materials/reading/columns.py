@@ -32,6 +32,12 @@ _NAMES = {
     "delta": r"delta|δ",
     "beta": r"beta|β",
 }
+_BARE_UNIT = re.compile(
+    r"\b(wavelength|lambda|λ|energy|wavenumber|frequency)\s+(nm|[uµμ]m|[mk]?ev|cm-1|thz|hz)\b",
+    re.IGNORECASE,
+)
+_SYMBOL = re.compile(r"^(?:vacuum|in vacuo)\s+|[\s,]+(?:[nkeκλ]|λ_?0|lambda)\s*$", re.IGNORECASE)
+"""Words around a name: what is meant by it, or its symbol."""
 _ROLE = {role: re.compile(names, re.IGNORECASE) for role, names in _NAMES.items()}
 
 
@@ -56,8 +62,9 @@ def role_of(name: str) -> tuple[str, str | None]:
         if unit is not None:
             name = name[: found.start()]
     stem = re.sub(r"\s+", "", re.sub(r"[\(\[\{][^\(\)\[\]\{\}]*[\)\]\}]\s*$", "", name))
+    texts = (stem, re.sub(r"\s+", "", name), re.sub(r"\s+", "", _SYMBOL.sub("", name)))
     for role, pattern in _ROLE.items():
-        for text in (stem, re.sub(r"\s+", "", name)):
+        for text in texts:
             if pattern.fullmatch(text):
                 return (UNITS[unit].kind if unit and role in ABSCISSAE else role), unit
     if unit is not None:
@@ -66,39 +73,74 @@ def role_of(name: str) -> tuple[str, str | None]:
 
 
 def columns_named(
-    header: Sequence[str], layout: Layout, width: int
-) -> tuple[tuple[str, ...], str | None] | None:
+    header: Sequence[str], layout: Layout, width: int, notes: Notes
+) -> tuple[tuple[str, ...], tuple[str | None, ...]] | None:
     """Find the names of columns in the lines above them.
 
     Returns
     -------
     tuple
-        A role a column, and the unit of the first; None where no line names an abscissa and
-        something beside it.
+        A role and a unit a column; None where no line names an abscissa.
+
+    Raises
+    ------
+    Undecided
+        If a line names an abscissa, and none of the others is called as n and k are, two are called
+        alike, or they are fewer or more than the numbers.
     """
+    doubtful: list[str] | None = None
     for line in reversed(header[-12:]):
         for cells in sorted(_cells(line, layout), key=lambda way: len(way) != width):
             if len(cells) < 2:
                 continue
             roles = [role_of(cell) for cell in cells]
-            kinds = [kind for kind, _ in roles[:width]]
-            kinds += ["-"] * (width - len(kinds))
-            abscissae = [kind for kind in kinds if kind in ABSCISSAE]
+            kinds = [kind for kind, _ in roles]
+            if any(_is_called(cell) for cell in cells):  # thickness (nm) is no wavelength then
+                kinds = [
+                    "-" if kind in ABSCISSAE and not _is_called(cell) else kind
+                    for cell, kind in zip(cells, kinds, strict=True)
+                ]
             others = [kind for kind in kinds if kind not in (*ABSCISSAE, "-")]
-            if abscissae and others and len(cells) >= min(width, 2):
-                at = kinds.index(abscissae[0])
-                return tuple(kinds), roles[at][1] if at < len(roles) else None
+            if not set(ABSCISSAE).intersection(kinds):
+                continue
+            is_whole = len(cells) >= width and set(kinds[width:]) <= {"-"}
+            if others and is_whole and len(set(others)) == len(others):
+                unused = [cell for cell, kind in zip(cells, kinds, strict=True) if kind == "-"]
+                if any(unused) and notes.choices.columns is None:
+                    notes.warn(f"not used: {', '.join(cell[:40] for cell in unused if cell)}")
+                return tuple(kinds[:width]), tuple(unit for _, unit in roles[:width])
+            is_named = not any(layout.number(cell) is not None for cell in cells if cell)
+            if doubtful is None and is_named and (others or len(cells) == width):
+                doubtful = cells
+    if doubtful is not None and notes.choices.columns is None:
+        called = ", ".join(cell[:40] for cell in doubtful[:12])
+        raise Undecided(
+            "columns",
+            f"what the {width} columns hold: a line calls them {called}; say it as wavelength,n,k "
+            "with - for a column that is not used",
+        )
     return None
+
+
+def _is_called(cell: str) -> bool:
+    """Whether a name is that of an abscissa, or its unit alone, and not of something in that unit."""
+    name = cell.strip("\"'#;%*: ()[]{}")
+    found = _UNIT.search(name)
+    stem = name[: found.start()] if found is not None and unit_spelled(found[1]) else name
+    return role_of(stem)[0] in ABSCISSAE
 
 
 def _cells(line: str, layout: Layout) -> list[list[str]]:
     """Ways to part a line of names: as the rows are, by wide gaps, and by any blanks."""
     comment = COMMENT.match(line)
-    line = line[comment.end() :] if comment else line
+    if comment is not None and line[comment.end() - 1] not in "'\"":
+        line = line[comment.end() :]
     joined = re.sub(r"\s+(?=[\(\[\{])", "", line.strip())
-    ways = [layout.cells(line), re.split(r"\t+|\s{2,}", line.strip()), joined.split()]
+    joined = _BARE_UNIT.sub(r"\1_\2", joined)
+    ways = [re.split(r"\t+|\s{2,}", line.strip()), joined.split()]
     ways += [[cell.strip() for cell in line.split(",")], [cell.strip() for cell in line.split(";")]]
-    return [[cell for cell in way if cell] for way in ways]
+    # A column of numbers of rows, which programs of statistics write first, has an empty name.
+    return [layout.cells(line), *([cell for cell in way if cell] for way in ways)]
 
 
 def by_hand(columns: Sequence[str], width: int) -> tuple[str, ...]:

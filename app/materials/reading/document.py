@@ -53,7 +53,7 @@ def document(name: str, content: bytes) -> Document:
         what = f"a file of at most {MOST_BYTES:,} bytes; this one has {len(content):,}"
         raise Unreadable("file", name, what)
     text, encoding = _decoded(content)
-    text = text.replace("\r\n", "\n").replace("\r", "\n")
+    text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\N{MINUS SIGN}", "-")
     if text.translate(_CONTROLS) != text:
         raise Unreadable("file", name, "a text file; save a spreadsheet or workspace as CSV")
     if not text.strip():

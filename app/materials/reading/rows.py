@@ -1,5 +1,6 @@
 """Lines of text as rows of numbers: separators, decimal signs, comments and what is missing."""
 
+import csv
 import math
 import re
 from collections import Counter
@@ -9,8 +10,8 @@ from dataclasses import dataclass
 from app.materials.reading.document import MOST_ROWS
 from app.materials.reading.report import Notes, Unreadable
 
-COMMENT = re.compile(r"\s*(?:[#;%!*'\"]|//)")
-"""How lines begin that are no data."""
+COMMENT = re.compile(r"\s*(?:[#;%!*]|//|['\"](?!\s*[-+.\d]))")
+"""How lines begin that are no data; a number may stand in quotes."""
 
 MISSING_BELOW = -900.0
 """-999 and -9999 stand for what was not measured; no optical constant is as low but eps1 of metals
@@ -33,12 +34,20 @@ class Layout:
 
     def cells(self, line: str) -> list[str]:
         """Part a line; separators at its end are no cells."""
-        if self.separator is None:
-            return line.split()
-        cells = [cell.strip() for cell in line.split(self.separator)]
+        cells = self._all_cells(line)
         while cells and not cells[-1]:
             cells.pop()
         return cells
+
+    def _all_cells(self, line: str) -> list[str]:
+        if self.separator is None:
+            return line.split()
+        if '"' in line:  # a quoted cell may hold the separator
+            try:
+                return [cell.strip() for cell in next(csv.reader([line], delimiter=self.separator))]
+            except csv.Error:
+                pass
+        return [cell.strip() for cell in line.split(self.separator)]
 
     def number(self, cell: str) -> float | None:
         """Read a cell; NaN for what is missing, None for what is no number."""
@@ -60,9 +69,9 @@ class Layout:
             return None
 
     def row(self, line: str) -> list[float] | None:
-        """Read a line of at least two numbers, None where it is none."""
-        cells = self.cells(line)
-        if not 2 <= len(cells) <= _MOST_COLUMNS:
+        """Read a line of at least two numbers, None where it is none; NaN for empty cells."""
+        cells = self._all_cells(line)
+        if not 2 <= len(cells) <= _MOST_COLUMNS or not any(cells[1:]):
             return None
         numbers = []
         for cell in cells:
@@ -149,16 +158,28 @@ def _heads(line: str, layout: Layout) -> bool:
 
 
 def _even(block: Block, notes: Notes) -> Block:
-    """Leave out rows that are shorter or longer than most."""
-    widths = Counter(map(len, block.rows))
-    if len(widths) == 1:
-        return block
-    usual = widths.most_common(1)[0][0]
+    """Leave out rows that are shorter or longer than most; empty cells at their ends may be many."""
+    spans = [(_filled(row), len(row)) for row in block.rows]
+    fitting = {
+        width: sum(
+            count for (least, most), count in Counter(spans).items() if least <= width <= most
+        )
+        for width in sorted({max(2, least) for least, _ in spans}, reverse=True)
+    }
+    usual = max(fitting, key=lambda width: fitting[width])
     rows, numbers = [], []
-    for row, number in zip(block.rows, block.numbers, strict=True):
-        if len(row) == usual:
-            rows.append(row)
+    for row, number, (least, most) in zip(block.rows, block.numbers, spans, strict=True):
+        if least <= usual <= most:
+            rows.append(row[:usual])
             numbers.append(number)
         else:
-            notes.leave_out(number, f"{len(row)} numbers where most rows have {usual}")
+            notes.leave_out(number, f"{least} numbers where most rows have {usual}")
     return Block(block.header, rows, numbers)
+
+
+def _filled(row: list[float]) -> int:
+    """How many numbers a row has, without those at its end that are missing."""
+    count = len(row)
+    while count and math.isnan(row[count - 1]):
+        count -= 1
+    return count

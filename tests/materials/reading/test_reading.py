@@ -530,3 +530,73 @@ def test_files_have_bounds() -> None:
         read([])
     with pytest.raises(Unreadable, match="come in two"):
         reading("comma.csv", "bom.csv")
+
+
+def table(text: str, name: str = "x.csv") -> Reading:
+    return read([(name, text.encode())])
+
+
+@pytest.mark.parametrize(
+    ("text", "called"),
+    [
+        ("Wavelength (nm),R,T\n400,0.1,0.8\n500,0.1,0.85\n", "Wavelength (nm), R, T"),
+        ("Wavelength (nm),Absorbance\n400,0.1\n500,0.1\n", "Absorbance"),
+        ("nm,n,k\n500,1,5,0,1\n600,1,6,0,2\n", "5 columns"),
+        ("nm,n (Ag),k (Ag),n (Au),k (Au)\n400,1,2,3,4\n500,1,2,3,4\n", "n (Au)"),
+        ("nm,no,ko,ne,ke\n400,1,2,3,4\n500,1,2,3,4\n", "ke"),
+        ("wavelength n k\n1 400 1.5 0.1\n2 500 1.5 0.1\n", "4 columns"),
+    ],
+)
+def test_columns_that_are_called_otherwise_are_asked(text: str, called: str) -> None:
+    """Reflectance beside transmittance is no n beside k; nor are commas of two kinds."""
+    with pytest.raises(Undecided) as raised:
+        table(text)
+    assert raised.value.parameter == "columns"
+    assert called in raised.value.allowed
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "wavelength_nm,k,n\n400,0.1,1.5\n500,0.2,1.6\n",
+        "nm,Extinction coefficient k,Refractive index n\n400,0.1,1.5\n500,0.2,1.6\n",
+        '"","wavelength_nm","n","k"\n"1",400,1.5,0.1\n"2",500,1.6,0.2\n',
+        ",wavelength_nm,n,k\n0,400,1.5,0.1\n1,500,1.6,0.2\n",
+        '"lambda (um)","n","k"\n"0.4","1.5","0.1"\n"0.5","1.6","0.2"\n',
+        "thickness (nm),wavelength (nm),n,k\n30,400,1.5,0.1\n30,500,1.6,0.2\n",
+        "wavelength nm  n  k\n400 1.5 0.1\n500 1.6 0.2\n",
+        "Vacuum wavelength λ (nm);n;k;\n400;1,5;0,1;\n500;1,6;0,2\n",
+        "nm,n,k\n400,1.5,\N{MINUS SIGN}0.1\n500,1.6,\N{MINUS SIGN}0.2\n",
+    ],
+)
+def test_columns_as_programs_name_and_quote_them(text: str) -> None:
+    found = table(text)
+    assert points(found.n) == [(400.0, 1.5), (500.0, 1.6)]
+    assert points(found.k) == [(400.0, 0.1), (500.0, 0.2)]
+
+
+def test_columns_that_are_not_used_are_told() -> None:
+    found = table("nm,n,alpha (cm-1)\n400,1.5,100\n500,1.6,90\n")
+    assert points(found.n) == [(400.0, 1.5), (500.0, 1.6)]
+    assert "not used: alpha (cm-1)" in found.warnings
+
+
+def test_n_and_k_beside_one_another_have_each_their_wavelengths() -> None:
+    """As spreadsheets have them; the shorter one ends in empty cells."""
+    found = table("wl (nm),n,E (eV),k\n400,1.5,3,0.1\n500,1.6,2,0.2\n600,1.7,,\n")
+    assert points(found.n) == [(400.0, 1.5), (500.0, 1.6), (600.0, 1.7)]
+    assert [x for x, _ in points(found.k)] == pytest.approx([HC / 3, HC / 2], rel=1e-14)
+    assert [k for _, k in points(found.k)] == [0.1, 0.2]
+
+
+def test_rows_without_k_at_the_end_keep_their_n() -> None:
+    found = table("nm,n,k\n400,1.5,0.1\n500,1.6,\n600,1.7,\n700,1.8,\n")
+    assert [n for _, n in points(found.n)] == [1.5, 1.6, 1.7, 1.8]
+    assert points(found.k) == [(400.0, 0.1)]
+    assert not found.left_out
+
+
+def test_a_glass_with_fewer_coefficients_than_its_formula_takes_says_so() -> None:
+    text = "NM G 2 - 0 0 0 1\nCD 1.1 0.01 0.2 0.02\nLD 0.4 0.8\n"
+    warnings = table(text, "g.agf").warnings
+    assert any("4 of 6 numbers" in warning for warning in warnings)

@@ -87,7 +87,7 @@ def _read(documents: Sequence[Document], notes: Notes) -> Content:
     if not glasses:
         raise Unreadable("file", document.name, "a catalog with a glass: a line NM with its name")
     glass = _chosen(glasses, notes)
-    formula = _formula(glass)
+    formula = _formula(glass, notes)
     _compare_nd(glass, formula, notes)
     table = _transmission(glass, notes)
     notes.assume("relative_to", "air", "catalogs of glasses give n relative to air", ["vacuum"])
@@ -177,7 +177,7 @@ _FORMULAS: dict[int, tuple[str, int, Callable[[list[float]], tuple[int, list[flo
 `app.materials.dispersion` that is the same."""
 
 
-def _formula(glass: _Glass) -> Formula:
+def _formula(glass: _Glass, notes: Notes) -> Formula:
     kind = int(_number(glass.fields[2])) if _number(glass.fields[2]) in _FORMULAS else 0
     if kind == 0:
         what = f"a glass of formula 1 to 13; {glass.name} has {glass.fields[2][:20]}"
@@ -187,6 +187,10 @@ def _formula(glass: _Glass) -> Formula:
     if not given or not np.isfinite(given).all() or any(given[count:]):
         what = f"{count} numbers on the line CD for formula {kind} ({title})"
         raise Unreadable("glass", glass.name, what)
+    if len(given) < count:
+        notes.warn(
+            f"CD has {len(given)} of {count} numbers of formula {kind}: the others count as 0"
+        )
     limits = [_number(text) for text in glass.range_um[:2]]
     if len(limits) < 2 or not np.isfinite(limits).all() or not 0.0 < limits[0] < limits[1] <= 1e4:
         raise Unreadable("glass", glass.name, "a range of wavelengths on the line LD")

@@ -1,6 +1,7 @@
 """Any table of numbers: with commas, semicolons, tabs or blanks, with names of columns or without."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -21,6 +22,7 @@ from app.materials.reading.formats import (
     layout_of,
     unit_in,
 )
+from app.optics.parameters import Array
 
 
 def read_lines(lines: Sequence[str], name: str, notes: Notes) -> Content:
@@ -42,26 +44,51 @@ def read_lines(lines: Sequence[str], name: str, notes: Notes) -> Content:
         raise Unreadable("file", name, "at least two rows; give a single index as n_t and k_t")
     tables: list[Table] = []
     for block in blocks:
-        tables.append(_table(block, layout, notes, tables[0].unit if tables else None))
+        tables += _tables(block, layout, notes, tables[0].unit if tables else None)
     told = {role for table in tables for role in table.columns}
     if not told & {"n", "eps1", "delta"}:
         raise Unreadable("file", name, "a column of n, eps1 or delta; there is none")
     return Content(tables=tables)
 
 
-def _table(block: Block, layout: Layout, notes: Notes, before: str | None) -> Table:
+def _tables(block: Block, layout: Layout, notes: Notes, before: str | None) -> list[Table]:
+    """Columns with their abscissa, which n and k may each have of their own, beside one another."""
     numbers = np.array(block.rows)
-    named = columns_named(block.header, layout, numbers.shape[1])
-    unit = None
+    width = numbers.shape[1]
+    named = columns_named(block.header, layout, width, notes)
+    units = named[1] if named is not None else (None,) * width
     if notes.choices.columns is not None:
-        columns = by_hand(notes.choices.columns, numbers.shape[1])
-        unit = named[1] if named else None
+        columns = by_hand(notes.choices.columns, width)
     elif named is not None:
-        columns, unit = named
+        columns = named[0]
     else:
         columns = by_number(numbers, notes)
-    at = next(i for i, role in enumerate(columns) if role in _ABSCISSAE)
-    roles = {role: numbers[:, i] for i, role in enumerate(columns) if role in _VALUES}
+    edges = [i for i, role in enumerate(columns) if role in _ABSCISSAE]
+    parts = [range(at, end) for at, end in pairwise([*edges, width])]
+    if sum(any(columns[i] in _VALUES for i in part) for part in parts) > 1:
+        return [
+            _table(block, numbers, {i: columns[i] for i in part}, units[part[0]], notes, before)
+            for part in parts
+            if any(columns[i] in _VALUES for i in part)
+        ]
+    roles = {i: role for i, role in enumerate(columns) if role in _VALUES}
+    at = edges[0]
+    return [_table(block, numbers, {at: columns[at]} | roles, units[at], notes, before)]
+
+
+def _table(
+    block: Block,
+    numbers: Array,
+    columns: Mapping[int, str],
+    unit: str | None,
+    notes: Notes,
+    before: str | None,
+) -> Table:
+    """The first of the columns is the abscissa of the others."""
+    at = next(iter(columns))
+    there = np.isfinite(numbers[:, at])
+    x = numbers[there, at]
+    roles = {role: numbers[there, i] for i, role in columns.items() if role in _VALUES}
     if unit is None and columns[at] in _USUAL and columns[at] != "wavelength":
         unit, why = _USUAL[columns[at]], f"the usual unit of a column of {columns[at]}"
     else:
@@ -69,7 +96,7 @@ def _table(block: Block, layout: Layout, notes: Notes, before: str | None) -> Ta
     if before is not None and unit is None:
         unit, why = before, "the table above has it"
     unit = decided_unit(
-        numbers[:, at],
+        x,
         notes,
         named=unit,
         why=why,
@@ -77,7 +104,7 @@ def _table(block: Block, layout: Layout, notes: Notes, before: str | None) -> Ta
         n=roles.get("n"),
         is_certain=unit is not None and unit == before,
     )
-    return Table(numbers[:, at], unit, roles, np.array(block.numbers))
+    return Table(x, unit, roles, np.array(block.numbers)[there])
 
 
 _ABSCISSAE = ("wavelength", "energy", "wavenumber", "frequency")
