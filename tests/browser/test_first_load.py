@@ -162,6 +162,6 @@ def test_every_view_opens_in_this_form(quiet_page: Page) -> None:
         page.locator(f'.views [data-view="{view}"]').click()
         expect(page.locator(f".view-{view}")).to_be_visible()
         page.wait_for_load_state("networkidle")
-        expect(page.locator(".intro")).to_be_hidden()
+        expect(page.locator("#intro")).to_be_hidden()
     page.locator('.views [data-view="explore"]').click()
-    expect(page.locator(".intro")).to_be_visible()
+    expect(page.locator("#intro")).to_be_visible()

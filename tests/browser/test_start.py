@@ -75,13 +75,15 @@ def test_arrows_move_between_the_starters(quiet_page: Page) -> None:
     settled_link(page, "material", "Au")
 
 
-def test_a_phone_shows_all_views(page: Page) -> None:
-    page.set_viewport_size({"width": 390, "height": 844})
+@pytest.mark.parametrize("width", [390, 768, 1000, 1024])
+def test_all_views_are_shown_at_every_width(page: Page, width: int) -> None:
+    page.set_viewport_size({"width": width, "height": 844})
     opened(page)
+    assert page.locator(".views").evaluate("(nav) => nav.scrollWidth <= nav.clientWidth")
     for box in [tab.bounding_box() for tab in page.locator(".views a").all()]:
         assert box
         assert box["x"] >= 0
-        assert box["x"] + box["width"] <= 390
+        assert box["x"] + box["width"] <= width
         assert box["height"] >= 24
 
 

@@ -42,7 +42,7 @@ export const MEANINGS = {
 };
 
 const GAP = 4;
-const bubble = h("div.meaning", { popover: "auto", id: "meaning" });
+const bubble = h("div", { popover: "auto", id: "meaning" });
 
 /**
  * @param {string} name of a number
