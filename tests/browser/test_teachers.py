@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.compare_page import AXE
-from tests.browser.explore_page import READY_MS, opened
+from tests.browser.explore_page import READY_MS, number, opened
 
 SVG = "{http://www.w3.org/2000/svg}"
 BREWSTER = "?n_t=1.5&theta_i_deg=56.309932474020215"
@@ -133,12 +133,43 @@ def test_a_view_is_presented_by_a_link_and_left_by_a_key(quiet_page: Page) -> No
     expect(page).to_have_url(re.compile("present=1"))
 
 
+@pytest.mark.parametrize("width", [390, 1440])
+def test_what_is_wrong_with_a_presented_link_can_be_closed(page: Page, width: int) -> None:
+    page.set_viewport_size({"width": width, "height": 900})
+    page.goto("/?n_t=abc&present=1")
+    close = page.get_by_role("button", name="Dismiss")
+    leave = page.get_by_role("button", name="Leave")
+    expect(leave).to_be_visible(timeout=READY_MS)
+    here, there = close.bounding_box(), leave.bounding_box()
+    assert here
+    assert there
+    assert here["x"] + here["width"] <= there["x"]
+    close.click()
+    expect(page.locator(".notice")).to_have_count(0)
+    expect(leave).to_be_visible()
+
+
+def test_at_brewsters_angle_nothing_is_written_of_p(quiet_page: Page) -> None:
+    page = quiet_page
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    opened(page, BREWSTER)
+    for name, text in (("Rp", "0"), ("r_p.re", "0"), ("r_p.abs", "0"), ("r_p.phase", "none")):
+        expect(number(page, name)).to_have_text(text)
+    number(page, "Rp").click()  # what is copied is the double
+    assert 0 < float(page.evaluate("() => navigator.clipboard.readText()")) < 1e-30
+    # A millionth of a degree beside it there is something: r_p grows by (n⁴ − 1) / 2n³ per radian.
+    opened(page, "?n_t=1.5&theta_i_deg=56.309933474020215")
+    expect(number(page, "Rp")).to_have_text(re.compile(r"× 10⁻¹⁶$"))
+    expect(number(page, "r_p.phase")).to_have_text(re.compile("°$"))
+
+
 def test_a_worksheet_has_its_link_its_answers_and_addresses_on_paper(quiet_page: Page) -> None:
     page = quiet_page
     page.goto("/?view=theory&section=worksheets")
     page.get_by_role("link", name="Caught light").click(timeout=READY_MS)
     expect(page).to_have_url(re.compile("sheet=caught"), timeout=READY_MS)
     expect(page.locator(".sheet")).to_have_count(1)
+    expect(page.get_by_role("link", name="All worksheets")).to_be_visible()
     expect(page.locator(".answer-key")).to_have_count(0)
     page.get_by_role("link", name="With the answer key").click()
     answers = page.locator(".answer-key li")

@@ -51,6 +51,26 @@ function amplitudeEntries() {
   );
 }
 
+/** More than an angle can be off for being a double, degrees. */
+const SAME_ANGLE = 1e-13;
+
+/** @param {Reading} reading */
+const atBrewster = ({ theta_i_deg, interface: { brewster_deg } }) =>
+  brewster_deg !== null && Math.abs(theta_i_deg - brewster_deg) < SAME_ANGLE;
+
+/**
+ * What is written of a number. At Brewster's angle no p-polarized light comes back; the double beside that
+ * angle leaves some 1e-17 of its field, which would be read as an amplitude that has a phase.
+ * @param {NumberEntry} entry
+ * @param {Reading} reading
+ */
+function shown(entry, reading) {
+  const number = entry.get(reading);
+  if (typeof number !== "number" || !/^(Rp$|r_p)/u.test(entry.name) || !atBrewster(reading))
+    return number;
+  return entry.degrees ? null : 0;
+}
+
 /** @param {(message: string) => void} say */
 export function createNumbers(say) {
   /** @type {Reading | null} */
@@ -173,7 +193,7 @@ export function createNumbers(say) {
         if (table.hasAttribute("data-dim")) table.removeAttribute("data-dim");
       } else dimming ??= setTimeout(() => table.setAttribute("data-dim", ""), 300);
       for (const { entry, value } of all) {
-        const number = entry.get(next);
+        const number = shown(entry, next);
         if (number === undefined) continue;
         setText(value, entry.degrees ? angle(number, unit) : six(number));
         if (value.hasAttribute("data-none") !== (number === null)) {
