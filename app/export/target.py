@@ -95,6 +95,8 @@ class Target:
     """Spaces that its numbers may be in, each with what has to be set for it, if anything."""
     media_type: str = "text/plain"
     """Of its files."""
+    least_ior: float = 0.0
+    """What an index of a clear medium, or of a film, may be."""
 
     def of(self, kind: Kind) -> tuple[Mode, ...]:
         """Return the modes for a kind of material."""

@@ -106,5 +106,23 @@ def test_what_no_file_can_hold_is_refused(ask: Ask) -> None:
     assert tint["parameter"] == "mode"
     beside = error_of(ask("/export", to="gltf", material="Au", n_t=1.5))
     assert beside["parameter"] == "n_t"
+    bubble = error_of(ask("/export", to="gltf", n_t=0.75))  # an error to Khronos' validator
+    assert (bubble["parameter"], bubble["value"]) == ("to", "gltf")
+    assert "its ior is at least 1, and n 0.75" in bubble["message"]
     thin = error_of(ask("/export", to="gltf", n_t=1.5, layers="0.9:100"))
     assert "n of at least 1" in thin["message"]
+
+
+def test_a_policy_is_told_of_what_has_colors(ask: Ask) -> None:
+    """Gold's red is above 1; spectra and an index are written as they are."""
+    for to, mode, told in (
+        ("mitsuba", "spectral", False),
+        ("mitsuba", "nk", True),
+        ("gltf", "schlick", True),
+    ):
+        query = {"to": to, "mode": mode, "material": "Au", "format": "json"}
+        assert (
+            any("outside 0 to 1" in lost for lost in ask("/export", **query).json()["lost"]) is told
+        )
+    thin = ask("/export", to="blender", n_t=0.5, format="json").json()
+    assert not any("outside 0 to 1" in lost for lost in thin["lost"])

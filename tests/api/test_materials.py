@@ -269,7 +269,7 @@ def test_answers_have_names_and_wavelengths_a_unit(app: FastAPI) -> None:
         for path, of in app.openapi()["paths"].items()
         if "/materials" in path and "get" in of
     }
-    assert len(paths) == 7
+    assert len(paths) == 8
     for path, methods in paths.items():
         answer = methods["get"]["responses"]["200"]["content"]["application/json"]
         assert "$ref" in answer["schema"], path

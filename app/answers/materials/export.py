@@ -126,8 +126,8 @@ def chosen_mode(
     Raises
     ------
     NotAllowed
-        If the target has no such mode for it, does not take the space, or refuses what the policy
-        leaves outside 0 to 1.
+        If the target has no such mode for it, does not take its index or the space, or refuses what
+        the policy leaves outside 0 to 1.
     """
     target = TARGETS[to]
     able = _able(target, surface, film)
@@ -136,6 +136,9 @@ def chosen_mode(
         told = "opaque" if surface.kind == "conductor" else "clear"
         ids = " or ".join(m.id for m in able)
         raise NotAllowed("mode", mode, f"{ids} for to = {to} and a material that is {told}")
+    if surface.kind == "dielectric" and surface.ior < target.least_ior:
+        allowed = f"another target: its ior is at least {target.least_ior:g}, and n {surface.ior:g}"
+        raise NotAllowed("to", to, allowed)
     if surface.space not in target.spaces:
         raise NotAllowed("space", surface.space, f"{' or '.join(target.spaces)} for to = {to}")
     if not found.takes_above_1 and "F0" in surface.outside:
@@ -185,10 +188,9 @@ def _typed_film(film: Film, to: TargetId) -> tuple[TypedFilm, bool]:
     constants = film_constants(film, None)
     n, k = (np.broadcast_to(values, WAVELENGTH_NM.shape) for values in (constants.n, constants.k))
     index = float(np.interp(D_LINE_NM, WAVELENGTH_NM, n))
-    if to == "gltf" and index < 1.0:
-        raise NotAllowed(
-            "layers", film.spelled, f"n of at least 1 for to = gltf; it is {index:.4g}"
-        )
+    if index < (least := TARGETS[to].least_ior):
+        allowed = f"n of at least {least:g} for to = {to}; it is {index:.4g}"
+        raise NotAllowed("layers", film.spelled, allowed)
     return TypedFilm(index, film.thickness_nm or 0.0), bool(k.max() >= OPAQUE_K)
 
 
@@ -278,7 +280,8 @@ def export(
     lost = [*chosen.lost, *lost_of_film]
     if target.spaces[space]:
         lost.append(target.spaces[space])
-    if policy != "unclamped" and Surface(preset, "unclamped", space).outside:
+    has_colors = chosen.id not in ("spectral", "ior")
+    if has_colors and policy != "unclamped" and Surface(preset, "unclamped", space).outside:
         lost.append(f"Colors outside 0 to 1 are brought inside: {policy}")
     return Export(
         material=About.of(preset),

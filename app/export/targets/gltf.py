@@ -154,5 +154,6 @@ GLTF = Target(
         ),
     ),
     spaces={"srgb": ""},
+    least_ior=1.0,
     media_type="model/gltf+json",
 )
