@@ -16,6 +16,8 @@ from app.optics.color import delta_e_2000, encode_srgb, lab, srgb_weights
 from app.optics.film_color import (
     UNRESOLVED,
     is_resolved,
+    reflected_colors,
+    sampled_weights,
     step_nm,
     swept_colors,
     transmitted_colors,
@@ -29,6 +31,9 @@ MOST_INCOHERENT = 4096
 
 _ANGLES = 256
 """Angles at a time of colors over many of them."""
+
+MOST_SPECTRA = 200_000
+"""Layers times the directions, or the cells where each is a whole spectrum: seconds of work."""
 
 Quantity = Literal["R", "T"]
 
@@ -126,6 +131,10 @@ def film_colors(
     if incoherent or quantity == "T":
         what = "colors of films with an incoherent layer" if incoherent else "transmitted colors"
         refuse_more_than("thickness_nm", thickness_nm.size, cells, what, MOST_INCOHERENT)
+    spectra = cells if incoherent or quantity == "T" else theta_i_deg.size
+    many = spectra * len(media.layers)
+    what = "layers times spectra, one for each angle or cell,"
+    refuse_more_than("layers", len(media.layers), many, what, MOST_SPECTRA)
     whole, stack, step, warnings = _sampled(media, place, float(thickness_nm.max()))
     incidence = Incidence.from_degrees(theta_i_deg)
     colors_of = swept_colors if quantity == "R" else transmitted_colors
@@ -163,15 +172,15 @@ def seen_over_angle(media: FilmMedia) -> tuple[Callable[[Incidence], Array], lis
     """
     nm = media.layers[0].thickness_nm or 0.0
     _, stack, step, warnings = _sampled(media, swept_place(media.layers, 1), nm)
-    thickness_nm, weights = np.array([nm]), srgb_weights(*DAYLIGHT)
+    weights = sampled_weights(srgb_weights(*DAYLIGHT), step)
 
     def colors(incidence: Incidence) -> Array:
-        # What is prepared of each angle takes six times the wavelengths.
+        # Each angle is a whole spectrum.
         found = np.empty((incidence.cos.size, 3))
         for first in range(0, len(found), _ANGLES):
             some = slice(first, first + _ANGLES)
             part = Incidence(incidence.cos[some], incidence.sin[some])
-            found[some] = swept_colors(stack, 0, thickness_nm, part, weights, step)[0]
+            found[some] = reflected_colors(stack, part, weights)
         return found
 
     return colors, warnings

@@ -13,6 +13,7 @@ from app.answers.film_colors import seen_over_angle
 from app.answers.film_media import FilmMedia, MediaFacts
 from app.answers.films import Coated, LayerFacts, convention_text
 from app.answers.interface import CONVENTION, InterfaceFacts
+from app.answers.materials.about import refuse_more_than
 from app.materials.appearance import color_curve
 from app.materials.spectrum import Spectrum
 from app.optics.albedo import albedo
@@ -25,6 +26,12 @@ from app.optics.parameters import Array
 
 MOST_TEXELS = 4096
 """Texels along one axis."""
+
+MOST_LAYERS_OF_COLORS = 50
+"""In a table of colors, whose error wants a whole spectrum at thousands of angles."""
+
+_FEW_TEXELS = 256
+"""Beyond these the error wants more angles."""
 
 SIZES = tuple(2**power for power in range(1, 13))
 """Sizes whose errors are listed."""
@@ -216,7 +223,16 @@ def color_over_mu(spectrum: Spectrum, interface: Interface, size: int) -> Tabula
 
 
 def film_color_over_mu(media: FilmMedia, interface: Interface, size: int) -> Tabulated:
-    """Tabulate R, G and B of films over mu, integrated from the whole spectrum."""
+    """Tabulate R, G and B of films over mu, integrated from the whole spectrum.
+
+    Raises
+    ------
+    OpticsError
+        If there are more layers than a table of that size has time for, or a medium has no spectrum.
+    """
+    most = MOST_LAYERS_OF_COLORS * _FEW_TEXELS // max(size, _FEW_TEXELS)
+    what = f"layers in a table of colors with {size} texels"
+    refuse_more_than("layers", len(media.layers), len(media.layers), what, most)
     colors, warnings = seen_over_angle(media)
 
     def values(mu: Array) -> Array:

@@ -68,6 +68,18 @@ def _spline(step: int) -> Array:
     return np.asarray(CubicSpline(at, np.eye(at.size))(WAVELENGTH_NM))
 
 
+def sampled_weights(weights: Array, step: int) -> Array:
+    """Weights of the values at `sampled_nm(step)`, from those of every nanometer."""
+    return weights if step == 1 else np.asarray(_spline(step).T @ weights)
+
+
+def reflected_colors(stack: Stack, incidence: Incidence, weights: Array) -> Array:
+    """Linear colors over the angle, shape (A, 3), by weights of the stack's wavelengths."""
+    rows = Incidence(incidence.cos.reshape(-1, 1), incidence.sin.reshape(-1, 1))
+    Rs, Rp = reflectances(stack, rows)
+    return np.asarray(0.5 * (Rs + Rp) @ weights)
+
+
 def swept_colors(
     stack: Stack,
     place: int,
@@ -98,13 +110,14 @@ def swept_colors(
     Array
         Shape (T, A, 3).
     """
-    weights = weights if step == 1 else _spline(step).T @ weights
+    weights = sampled_weights(weights, step)
     colors = np.empty((thickness_nm.size, incidence.cos.size, 3))
     rows = Incidence(incidence.cos.reshape(-1, 1), incidence.sin.reshape(-1, 1))
     if not stack.is_coherent:
         for i, thickness in enumerate(thickness_nm.tolist()):
-            Rs, Rp = reflectances(_with_thickness(stack, place, thickness), rows)
-            colors[i] = 0.5 * (Rs + Rp) @ weights
+            colors[i] = reflected_colors(
+                _with_thickness(stack, place, thickness), incidence, weights
+            )
         return colors
     group = whole_group(stack.sheets, rows)
     layer, *of_both = pencils(group, place, rows)
@@ -141,7 +154,7 @@ def transmitted_colors(
     step: int = 1,
 ) -> Array:
     """Linear colors of the light that enters the second medium; parameters as of `swept_colors`."""
-    weights = weights if step == 1 else _spline(step).T @ weights
+    weights = sampled_weights(weights, step)
     rows = Incidence(incidence.cos.reshape(-1, 1), incidence.sin.reshape(-1, 1))
     colors = np.empty((thickness_nm.size, incidence.cos.size, 3))
     for i, thickness in enumerate(thickness_nm.tolist()):

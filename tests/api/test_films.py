@@ -192,6 +192,32 @@ def test_what_a_table_of_colors_cannot_be_is_refused(ask: Ask) -> None:
     assert error_of(ask("/lut", channels=3))["parameter"] == "channels"
 
 
+@pytest.mark.parametrize(
+    ("path", "query"),
+    [
+        ("/lut", {"channels": 3, "layers": ",".join(["1.38:100"] * 51)}),
+        ("/lut", {"channels": 3, "size": 4096, "layers": ",".join(["1.38:100"] * 4)}),
+        (
+            "/films/color",
+            {"samples": 2000, "thickness_nm": 5, "layers": ",".join(["1.5"] + ["2:60"] * 100)},
+        ),
+        (
+            "/films/color",
+            {
+                "samples": 61,
+                "thickness_nm": "0..100:64",
+                "quantity": "T",
+                "layers": ",".join(["1.5"] + ["2:60"] * 60),
+            },
+        ),
+    ],
+)
+def test_more_layers_than_there_is_time_for_are_refused(
+    ask: Ask, path: str, query: dict[str, object]
+) -> None:
+    assert error_of(ask(path, **query))["parameter"] == "layers"
+
+
 def test_mueller_and_jones_of_one_surface(ask: Ask) -> None:
     """Light polarized at 45 degrees, reflected by a coated mirror, in both conventions."""
     query = {"layers": "SiO2:100", "material": "Al", "theta_i_deg": 60, "stokes": "1,0,1,0"}
