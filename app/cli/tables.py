@@ -20,7 +20,13 @@ from app.answers.conversions import Conversions
 from app.answers.curves import Curves
 from app.answers.film_spectrum import FilmSpectrum
 from app.answers.interface import InterfaceFacts, ResolvedPreset
-from app.answers.lookup import CoatedLookupTable, InterpolationError, LookupTable, TableAxis
+from app.answers.lookup import (
+    CoatedLookupTable,
+    FilmLookupTable,
+    InterpolationError,
+    LookupTable,
+    TableAxis,
+)
 from app.answers.materials.curves import MaterialCurves
 from app.answers.materials.rgb import ChannelError
 
@@ -116,7 +122,9 @@ def color_errors(answer: MaterialCurves) -> list[Sheet]:
 def lookup_in(sent: Response) -> LookupTable:
     """Read the answer of /lut, which the route writes itself, from its JSON."""
     told = orjson.loads(bytes(sent.body))
-    kind = CoatedLookupTable if "layers" in told else LookupTable
+    # What has fields that no plain table has is told apart by them.
+    kinds: dict[str, type[LookupTable]] = {"layers": CoatedLookupTable, "media": FilmLookupTable}
+    kind = next((kinds[name] for name in kinds if name in told), LookupTable)
     facts = told["interface"]
     for side in ("incident", "material") if facts else ():
         facts[side] = facts[side] and ResolvedPreset(**facts[side])

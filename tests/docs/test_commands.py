@@ -192,6 +192,15 @@ def test_a_table_is_written_as_the_api_sends_it(app: FastAPI, tmp_path: Path, en
     assert run("lut", "--save", str(tmp_path / "table.gif")).exit_code == 2
 
 
+@pytest.mark.parametrize(
+    ("channels", "columns"), [("1", ["mu", "R"]), ("3", ["mu", "red", "green", "blue"])]
+)
+def test_tables_of_films_are_printed(channels: str, columns: list[str]) -> None:
+    result = run("lut", "--layers", "1.38:100", "--size", "4", "--channels", channels)
+    assert result.exit_code == 0
+    assert columns in [line.split() for line in result.stdout.splitlines()]
+
+
 @pytest.mark.parametrize("width", [40, 60, 80, 120])
 def test_tables_stay_within_the_terminal(width: int) -> None:
     header = ("model", "quantity", "cosine_weighted_mean", "max_abs_at_deg", "reason", "empty")
