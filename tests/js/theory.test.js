@@ -6,7 +6,7 @@ import { addressOf } from "../../static/js/page/links.js";
 import { createState } from "../../static/js/state/state.js";
 import { chosen, sourceName } from "../../static/js/theory/claims.js";
 import { SECTIONS, TOUCHED, theoryFields, UNTOUCHED } from "../../static/js/theory/fields.js";
-import { lessonQueries, settingOf, shareBy } from "../../static/js/theory/lesson.js";
+import { leaning, lessonQueries, settingOf, shareBy } from "../../static/js/theory/lesson.js";
 import { isNear } from "../../static/js/theory/mystery.js";
 import { decode, encode } from "../../static/js/theory/mystery-code.js";
 import { phaseLines } from "../../static/js/theory/planes.js";
@@ -177,9 +177,11 @@ test("each section asks for what it shows and no more", () => {
   assert.equal(queries(state).curve, "/formulas/model.schlick/curve?n_t=1.7");
 });
 
+/** @param {string} d the ends of the lines of a path */
+const numbers = (d) =>
+  [...d.matchAll(/M(\S+) (\S+)L(\S+) (\S+?)(?=M|$)/g)].map((m) => m.slice(1).map(Number));
+
 test("planes of phase keep step along the surface, and stand across the direction", () => {
-  const numbers = (/** @type {string} */ d) =>
-    [...d.matchAll(/M(\S+) (\S+)L(\S+) (\S+?)(?=M|$)/g)].map((m) => m.slice(1).map(Number));
   const surface = 105;
   /** @param {number[]} line where it meets the surface */
   const foot = ([x0 = 0, y0 = 0, x1 = 0, y1 = 0]) => x0 + ((surface - y0) / (y1 - y0)) * (x1 - x0);
@@ -197,4 +199,14 @@ test("planes of phase keep step along the surface, and stand across the directio
     const across = (x1 - x0) * 0.5 + (y1 - y0) * Math.cos(Math.PI / 6);
     assert.ok(Math.abs(across) < 0.05);
   }
+});
+
+test("where all is reflected the wave runs along the surface", () => {
+  assert.equal(leaning(30), 30);
+  const step = STEPS.find(({ id }) => id === "planes");
+  const reading = { theta_t_deg: null, field_penetration_depth_wavelengths: 0.245 };
+  const said = step?.live?.(/** @type {any} */ ({ reading }));
+  assert.match(said ?? "", /lean by 90\.0°.*0\.245 wavelengths/);
+  for (const [x0 = 0, , x1 = 1] of numbers(phaseLines(leaning(null), 64)))
+    assert.ok(Math.abs(x0 - x1) < 0.01);
 });

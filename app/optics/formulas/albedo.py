@@ -145,6 +145,10 @@ FORMULAS = (
             Symbol("m", "parameter of the elliptic integrals, below 0"),
             Symbol("K", "complete elliptic integral of the first kind"),
             Symbol("E", "complete elliptic integral of the second kind"),
+            Symbol(
+                r"\Pi",
+                "complete elliptic integral of the third kind, of characteristic and parameter",
+            ),
         ),
         reference="W. A. Allen, Transmission of isotropic light across a dielectric surface in two and "
         "three dimensions, J. Opt. Soc. Am. 63, 664 (1973), doi:10.1364/JOSA.63.000664; E. d'Eon, "

@@ -38,7 +38,7 @@ GLOSSARY = (
     Symbol("S", "Schlick's polynomial F₀ + (1 − F₀)(1 − μ)⁵"),
 )
 
-_GREEK = "alpha|beta|eta|kappa|lambda|mu|phi|rho|theta"
+_GREEK = "alpha|beta|eta|kappa|lambda|mu|phi|Pi|rho|theta"
 # Commands whose braces hold no letters of the formula.
 _PROSE = re.compile(r"\\(?:operatorname|mathrm|begin|end)\{[^{}]*\}")
 _INDEX = r"(?:_(?:\{[^{}]*\}|\\text\{[^{}]*\}|\\[a-z]+|[A-Za-z0-9]))?'?(?:\^\\text\{[^{}]*\})?"

@@ -97,3 +97,9 @@ export function errorOf({ answers }, model) {
   const rows = answers.errors?.errors ?? [];
   return rows.find((row) => row.model === model) ?? null;
 }
+
+/**
+ * By how much planes of equal phase lean beyond the surface: where all is reflected the wave runs along it.
+ * @param {number | null} theta_t_deg
+ */
+export const leaning = (theta_t_deg) => theta_t_deg ?? 90;

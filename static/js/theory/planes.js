@@ -2,6 +2,7 @@
 
 import { put, svg } from "../draw/svg.js";
 import { h } from "../page/dom.js";
+import { leaning } from "./lesson.js";
 
 const WIDTH = 420;
 const HEIGHT = 250;
@@ -75,15 +76,13 @@ export function createPlanes() {
     /** @param {Reading} reading */
     update({ interface: media, theta_i_deg, theta_t_deg, field_penetration_depth_wavelengths }) {
       const deep = field_penetration_depth_wavelengths;
-      const there = theta_t_deg !== null;
+      const leans = leaning(theta_t_deg);
       // Along the surface both waves keep step, which gives the distance of the planes beyond it.
-      const [along, beyond] = [theta_i_deg, theta_t_deg ?? 0].map((deg) =>
-        Math.sin((deg * Math.PI) / 180),
-      );
+      const [along, beyond] = [theta_i_deg, leans].map((deg) => Math.sin((deg * Math.PI) / 180));
       const spacing =
         along && along > 1e-3 && beyond ? beyond / (media.n_i * along) : 1 / media.n_t;
       put(above, "d", phaseLines(theta_i_deg, WAVELENGTH / media.n_i));
-      put(below, "d", there ? phaseLines(theta_t_deg, WAVELENGTH * spacing) : "");
+      put(below, "d", phaseLines(leans, WAVELENGTH * spacing));
       const px = deep === null ? Number.POSITIVE_INFINITY : deep * WAVELENGTH;
       stops.forEach((stop, i) => {
         const depth = (i / 12) * (HEIGHT - SURFACE);

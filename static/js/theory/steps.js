@@ -5,7 +5,7 @@
  */
 
 import { angle, percent, plain } from "../numbers/format.js";
-import { errorOf, shareBy } from "./lesson.js";
+import { errorOf, leaning, shareBy } from "./lesson.js";
 
 /** @typedef {import('./lesson.js').Lesson} Lesson */
 
@@ -374,7 +374,7 @@ export const STEPS = [
     rows: { own_deg: [0, 90], own_n: [0.05, 4], own_k: [0, 8] },
     live: ({ reading }) => {
       const deep = reading.field_penetration_depth_wavelengths;
-      const leans = `The planes of equal phase lean by ${angle(reading.theta_t_deg, "deg", 1)}`;
+      const leans = `The planes of equal phase lean by ${angle(leaning(reading.theta_t_deg), "deg", 1)}`;
       return deep === null
         ? `${leans}, and without absorption the wave is as strong everywhere.`
         : `${leans}, those of equal strength not at all; ${short(deep)} wavelengths deep the field has fallen to 1/e.`;
