@@ -2,7 +2,14 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { matches } from "../../static/js/compare/chooser.js";
 import { convertPath, filled, printValue, texts } from "../../static/js/compare/conversions.js";
-import { against, compareFields, focused, ranges } from "../../static/js/compare/fields.js";
+import {
+  against,
+  compareFields,
+  errorShown,
+  focused,
+  ranges,
+  showingError,
+} from "../../static/js/compare/fields.js";
 import { later, queries, restCalls } from "../../static/js/compare/queries.js";
 import { COLUMNS, printCost, short, sorted } from "../../static/js/errors/metrics.js";
 import { curveTraces, distinct, errorRange, errorTraces } from "../../static/js/errors/traces.js";
@@ -332,4 +339,16 @@ test("a table is that of the model whose code is shown, with its parameters", ()
   const found = rgbLutPath(gold, { ...CATALOG, materials }, "exact");
   assert.equal(found, "/lut?material=Au&n_i=1&channels=3");
   assert.equal(rgbLutPath(gold, { ...CATALOG, materials }, "schlick"), null);
+});
+
+test("what is taken from Schlick's curve is shown beside that curve", () => {
+  const bare = { models: ["one_minus_cos"], k_t: 0, error: "taken" };
+  assert.equal(errorShown(bare), "signed");
+  assert.equal(errorShown({ ...bare, models: ["schlick"] }), "taken");
+  assert.deepEqual(showingError(bare, "taken"), {
+    error: "taken",
+    models: ["schlick", "one_minus_cos"],
+  });
+  assert.deepEqual(showingError(bare, "relative"), { error: "relative" });
+  assert.deepEqual(showingError({ ...bare, models: ["schlick"] }, "taken"), { error: "taken" });
 });

@@ -90,6 +90,17 @@ export function compareFields({ models, parameters }) {
 /** Models whose code is offered: those on the screen. @param {State} state @returns {string[]} */
 export const withCode = (state) => [...against(state), "exact"];
 
+/** How the error is shown: what is taken from Schlick's curve wants that curve. @param {State} state @returns {string} */
+export const errorShown = (state) =>
+  state.error === "taken" && !against(state).includes("schlick") ? "signed" : state.error;
+
+/** What the state becomes when the error is shown in another way. @param {State} state @param {string | undefined} error @returns {State} */
+export function showingError(state, error) {
+  const now = { error };
+  if (errorShown({ ...state, ...now }) === error) return now;
+  return { ...now, models: Object.freeze(["schlick", ...against(state)]) };
+}
+
 /** The model whose map is shown. @param {State} state @returns {string} */
 export function focused(state) {
   const { focus } = state;

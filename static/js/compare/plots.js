@@ -8,7 +8,7 @@ import { clamp, inDegrees, inUnit } from "../numbers/format.js";
 import { traceUid } from "../plot/figure.js";
 import { createPair } from "../plot/pair.js";
 import { freshOf } from "../state/state.js";
-import { against } from "./fields.js";
+import { against, errorShown, showingError } from "./fields.js";
 
 const RESOLUTION = 0.05; // degrees
 
@@ -25,7 +25,7 @@ function curveRange(traces) {
 }
 
 /** @param {ViewContext} context */
-export function createPlots({ element, catalog, actions, save }) {
+export function createPlots({ element, catalog, state: current, actions, save }) {
   const { models } = catalog;
   /** @type {State | null} */
   let now = null;
@@ -57,7 +57,7 @@ export function createPlots({ element, catalog, actions, save }) {
       filename: "fresnel-compare-error",
     },
     onPick,
-    onKind: (value) => actions.set({ error: value }),
+    onKind: (value) => actions.set(showingError(current(), value)),
     notes: ["R of the model minus exact R", "that over the exact R"],
     more: [
       {
@@ -106,7 +106,8 @@ export function createPlots({ element, catalog, actions, save }) {
     /** @param {State} state @param {Record<string, any>} answers @param {boolean} moving */
     update(state, answers, moving) {
       now = state;
-      pair.kind.update([state.error]);
+      const shown = errorShown(state);
+      pair.kind.update([shown]);
       if (!answers.curves) return;
       /** @param {number} deg */
       const toUnit = (deg) => inUnit(deg, state.angle);
@@ -117,21 +118,21 @@ export function createPlots({ element, catalog, actions, save }) {
       });
       const look = JSON.stringify([
         state.angle,
-        state.error,
+        shown,
         state.polarized,
         against(state),
         state.family,
       ]);
       const { band } = freshOf(answers, bandPaths(state, catalog));
       const sources = [answers.curves, band, ...family.map((/** @type {any} */ m) => m.curves)];
-      const relative = state.error === "relative";
+      const relative = shown === "relative";
       const axis = angleAxis(state);
       const drawn = pair.draw(look, sources, moving, () => {
         const polarized = state.polarized === "on";
         const ids = against(state);
         const all = curveTraces(answers.curves, ids, models, toUnit, family, polarized);
         curves = distinct(all);
-        const taken = state.error === "taken" ? takenTraces(all) : null;
+        const taken = shown === "taken" ? takenTraces(all) : null;
         errors = taken ?? errorTraces(all, relative);
         signed = errorTraces(all, false).filter((t) => !t.id.includes("@"));
         const marks = landmarksOf(answers.curves.interface).map((m) => ({

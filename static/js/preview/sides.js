@@ -79,7 +79,7 @@ export function createSides(catalog) {
       let all = true;
       for (const side of SIDES) {
         const paths = Object.values(sidePaths(state, catalog, side));
-        const found = texels(paths, state[side] === NONE ? NONE : state[side]);
+        const found = texels(paths, state[side]);
         if (!found) {
           all = false;
           continue;
