@@ -1,16 +1,20 @@
 """Three pairs of n and k for engines that keep one a channel, and how far such engines are off.
 
 What a channel reflects is the spectrum's share in it, integrated at every angle. The pair whose exact
-curve comes closest to that is fitted, see `app.optics.fitted_index`.
+curve comes closest to that is fitted, see `app.optics.fitted_index`. Pairs of the catalog under the
+defaults stand in a file.
 """
 
-from functools import lru_cache
+import json
+from collections.abc import Mapping
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
 from app.materials.appearance import DAYLIGHT, Viewing, averaged_interface, color_curve
 from app.materials.colored import colored
+from app.materials.location import data_directory
 from app.materials.media import NEGLIGIBLE_K, default_catalog
 from app.materials.schema import Preset
 from app.optics.amplitudes import reflectance
@@ -35,6 +39,8 @@ from app.optics.specular import polynomial
 ANGLES_DEG: Array = np.linspace(0.0, 89.75, 360)
 """Angles at which curves are compared; at 90 degrees everything reflects everything."""
 ANGLES_DEG.flags.writeable = False
+
+PAIRS_FILE = "rgb_nk.json"
 
 KEPT = 2048
 """Results that a process keeps: every preset has one a policy, a space and a light."""
@@ -89,6 +95,16 @@ def reflected_at_angles(
     return curve
 
 
+@cache
+def _pairs_on_file() -> Mapping[str, Interface]:
+    """Fitted pairs of the catalog under the defaults, to ten digits; `tools.rgb_nk` writes them."""
+    told = json.loads((data_directory() / PAIRS_FILE).read_text())
+    return {
+        one["id"]: Interface(1.0, [[n] for n in one["n"]], [[k] for k in one["k"]])
+        for one in told["pairs"]
+    }
+
+
 @lru_cache(maxsize=KEPT)
 def fitted_interface(
     preset_id: str,
@@ -114,6 +130,20 @@ def fitted_interface(
     Interface
         Of shape (3, 1).
     """
+    if (viewing, gamut, space) == (DAYLIGHT, "clamped", "srgb"):
+        on_file = _pairs_on_file().get(preset_id)
+        if on_file is not None:
+            return on_file
+    return fit(preset_id, viewing, gamut, space)
+
+
+def fit(
+    preset_id: str,
+    viewing: Viewing = DAYLIGHT,
+    gamut: Gamut = "clamped",
+    space: Space = "srgb",
+) -> Interface:
+    """Find the same from the spectrum, whatever stands in the file."""
     preset = default_catalog().get(preset_id)
     medium = colored(preset)
     mu = fitting_nodes().x

@@ -1,5 +1,7 @@
 """Three pairs of n and k that match a spectral color, against searches of another kind."""
 
+import json
+
 import numpy as np
 import pytest
 from scipy.integrate import quad
@@ -7,8 +9,11 @@ from scipy.optimize import Bounds, differential_evolution
 
 from app.answers.materials.rgb_nk import rgb_nk
 from app.materials.catalog import Catalog
+from app.materials.location import data_directory
 from app.materials.rgb_index import (
+    PAIRS_FILE,
     exact_at_angles,
+    fit,
     fitted_interface,
     reflected,
     reflected_at_angles,
@@ -85,6 +90,15 @@ def test_every_material_has_pairs_that_engines_take(catalog: Catalog) -> None:
     assert len(left) == len(catalog.presets)
     assert max(left.values()) < 0.0101
     assert sorted(left.values())[int(0.95 * len(left))] < 0.004
+
+
+def test_the_file_has_what_a_new_fit_finds(catalog: Catalog) -> None:
+    """By their curves: where R hardly depends on k, k may differ."""
+    kept = {one["id"] for one in json.loads((data_directory() / PAIRS_FILE).read_text())["pairs"]}
+    assert kept == {preset.id for preset in catalog.presets}
+    for id in kept:  # noqa: A001
+        on_file, new = (exact_at_angles(found(id)) for found in (fitted_interface, fit))
+        np.testing.assert_allclose(on_file, new, atol=2e-6, err_msg=id)
 
 
 def test_clear_media_stay_clear(catalog: Catalog) -> None:
