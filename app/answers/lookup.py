@@ -231,7 +231,7 @@ def film_color_over_mu(media: FilmMedia, interface: Interface, size: int) -> Tab
         If there are more layers than a table of that size has time for, or a medium has no spectrum.
     """
     most = MOST_LAYERS_OF_COLORS * _FEW_TEXELS // max(size, _FEW_TEXELS)
-    what = f"layers in a table of colors with {size} texels"
+    what = f"layers over {size} texels in color"
     refuse_more_than("layers", len(media.layers), len(media.layers), what, most)
     colors, warnings = seen_over_angle(media)
 

@@ -307,11 +307,17 @@ class _Face(NamedTuple):
         r_im: Number = 0.0
         if not is_zero(passage.y[1]):
             r_im = times(passage.D, conjugate(passage.S))[1] / S2
+        t2 = weight * square_of(passage.start) * passage.shrunk2
+        flux = weight * passage.flux / y
+        # A grazing ray that meets no boundary goes on: 0/0 else.
+        none = S2 == NOTHING
+        if anywhere(none):
+            t2, flux = select(none, 1.0, t2), select(none, 1.0, flux)
         return cls(
             passage.D2 / S2,
             r_im,
-            weight * square_of(passage.start) * passage.shrunk2,
-            weight * passage.flux / y,
+            t2,
+            flux,
             tuple(weight * power / y for power in passage.lost),
         )
 

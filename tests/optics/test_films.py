@@ -324,6 +324,16 @@ def test_grazing_light_is_reflected_but_where_nothing_is_in_the_way() -> None:
         np.testing.assert_allclose(energy.T, 1.0, rtol=IDENTITY)
 
 
+@pytest.mark.parametrize("n_t", [1.5, 1.0, 0.9])
+def test_grazing_light_comes_through_a_thick_layer_of_its_own_index(n_t: float) -> None:
+    """As if the layer were not there: no boundary, and no 0/0, between two media that are one."""
+    layers = [Layer(1.0, 0.0, 1e6, incoherent=True), Layer(1.0, 0.0, 1e5, incoherent=True)]
+    at = Incidence.from_degrees(np.array([30.0, 90.0]))
+    found, bare = (power(Stack(1.0, each, n_t), at) for each in (layers, []))
+    for name in ("Rs", "Rp", "Ts", "Tp"):
+        np.testing.assert_allclose(getattr(found, name), getattr(bare, name), atol=1e-15)
+
+
 def test_a_film_that_hardly_differs_keeps_its_digits() -> None:
     """R of a step of 1e-9 there and back is 4 (1e-9/3)^2 sin^2(delta), far below one bit of 1."""
     step = 1e-9
