@@ -438,6 +438,13 @@ def test_films_are_put_on_and_a_shortcut_beside_them(quiet_page: Page) -> None:
     expect(page.locator(".side-choice .reason").last).to_contain_text("a stack of several")
 
 
+def test_what_is_not_known_of_a_film_is_said(quiet_page: Page) -> None:
+    page = opened(quiet_page, "&layers=water:330,1.5:20&n_t=1&body=clear")
+    expect(page.locator(".film-on .reason")).to_have_text("water: k is not known and counts as 0")
+    chosen = page.get_by_label("Film on the surface").locator("option:checked")
+    expect(chosen).to_have_text("2 layers, d of the first")
+
+
 def test_films_leads_to_the_ball(quiet_page: Page) -> None:
     page = quiet_page
     page.goto("/?view=films&layers=water:330&n_t=1&film_model=cycles_film")

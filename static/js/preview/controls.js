@@ -48,7 +48,9 @@ function filmsOf(layers) {
   const all = readLayers(layers) ?? [];
   const [only] = all;
   const words =
-    all.length > 1 ? `${all.length} layers` : `${only?.medium}, ${thicknessText(only?.nm ?? 0)}`;
+    all.length > 1
+      ? `${all.length} layers, d of the first`
+      : `${only?.medium}, ${thicknessText(only?.nm ?? 0)}`;
   return layers in FILMS ? FILMS : { ...FILMS, [layers]: words };
 }
 
@@ -185,8 +187,9 @@ export function createControls(context) {
      * @param {State} now
      * @param {{left: string, right: string}} reasons why a model is outside its domain here
      * @param {readonly {id: string, title: string}[]} shortcuts for films, where there are any
+     * @param {readonly string[]} warnings of the films' colors
      */
-    update(now, reasons, shortcuts) {
+    update(now, reasons, shortcuts, warnings) {
       media.update(now);
       for (const { name, row } of rows) row.update(now[name]);
       sheet.update();
@@ -221,7 +224,10 @@ export function createControls(context) {
           <div class="heading"><h2>Media</h2></div>
           ${media.element}
           <div class="heading"><h2>Film</h2></div>
-          <div class="choices film-on">${film.element}${thickness.element}</div>
+          <div class="choices film-on">
+            ${film.element}${thickness.element}
+            <p class="reason" ?hidden=${warnings.length === 0}>${warnings.join("; ")}</p>
+          </div>
           <div class="choices">
             ${colors} ${scene} ${body}
             <p class="reason">${

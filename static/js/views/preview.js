@@ -202,7 +202,9 @@ export function createView(given) {
       /** @param {'left' | 'right'} side */
       const reason = (side) => sides.reason(now, side) || lightOf(now, catalog, side);
       const reasons = { left: reason("left"), right: reason("right") };
-      controls.update(now, reasons, isFilmed(now) ? shortcuts : []);
+      const filmed = isFilmed(now);
+      const warnings = (filmed && answers.film?.warnings) || [];
+      controls.update(now, reasons, filmed ? shortcuts : [], warnings);
       examples.update(now);
       choices.update(now);
       gain.update(now.gain);
