@@ -124,6 +124,10 @@ def test_the_finder_opens_models_media_formulas_and_views(quiet_page: Page) -> N
         ("pond", "Reflection at a pond"),
         ("filament", "Filament"),
         ("print", "Print"),
+        ("thin film", "Films"),
+        ("answer key", "Worksheets"),
+        ("theme", "Light or dark"),
+        ("export", "Use a material in Blender"),
     ],
 )
 def test_the_finder_leads_to_what_the_trade_means(page: Page, words: str, first: str) -> None:

@@ -60,7 +60,7 @@ function capital(word) {
 }
 
 /** What tells media of one name apart. @param {Material} material */
-function origin({ id, kind, n_range_nm }) {
+export function origin({ id, kind, n_range_nm }) {
   if (isPage(id) && n_range_nm) return `${stretch(n_range_nm)} · ${pathOf(id)}`;
   if (kind === "spectrum" && n_range_nm) return stretch(n_range_nm);
   return `${capital(/-([a-z]+)$/.exec(id)?.[1] ?? "")}'s table`;

@@ -1,6 +1,6 @@
 /** One box that finds whatever the page shows, and does what has a key. */
 
-import { matching } from "../controls/picker.js";
+import { matching, origin } from "../controls/picker.js";
 import { copyText, h } from "./dom.js";
 import { addressOf, follow } from "./links.js";
 import { loadStyle } from "./style.js";
@@ -52,7 +52,7 @@ export function entries({ catalog, views, view, set, actions, notice }) {
     })),
     ...catalog.materials.map((material) => ({
       ...material,
-      does: here ? `second medium in ${here.title}` : "open in Materials",
+      does: `${origin(material)} · ${here ? `second medium in ${here.title}` : "open in Materials"}`,
       run: () =>
         here
           ? set({ material: material.id })
