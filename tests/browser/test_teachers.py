@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.compare_page import AXE
-from tests.browser.explore_page import READY_MS, number, opened
+from tests.browser.explore_page import READY_MS, box, number, opened
 
 SVG = "{http://www.w3.org/2000/svg}"
 BREWSTER = "?n_t=1.5&theta_i_deg=56.309932474020215"
@@ -64,6 +64,16 @@ def test_the_right_angle_is_marked_at_brewsters_angle_alone(quiet_page: Page) ->
     expect(mark).to_be_hidden()
 
 
+def test_the_name_of_an_angle_leads_to_it(quiet_page: Page) -> None:
+    page = opened(quiet_page)
+    name = page.locator(".diagram").get_by_text("Brewster", exact=True)
+    place = name.bounding_box()
+    assert place
+    page.mouse.click(place["x"] + place["width"] / 2, place["y"] + place["height"] / 2)
+    expect(page.locator(".ray-right")).to_be_visible()
+    expect(page).to_have_url(re.compile(r"theta_i_deg=56\.3099324740202"))
+
+
 def test_light_from_the_denser_side_comes_from_below(quiet_page: Page) -> None:
     page = opened(quiet_page, "?n_i=1.333&n_t=1&theta_i_deg=60")
     frame = page.locator(".diagram").bounding_box()
@@ -72,9 +82,9 @@ def test_light_from_the_denser_side_comes_from_below(quiet_page: Page) -> None:
     handle = page.locator(".diagram-handle")
 
     def place() -> tuple[float, float]:
-        box = handle.bounding_box()
-        assert box
-        return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        bounds = handle.bounding_box()
+        assert bounds
+        return bounds["x"] + bounds["width"] / 2, bounds["y"] + bounds["height"] / 2
 
     x, y = place()
     assert y > middle + 20
@@ -95,10 +105,9 @@ def test_light_from_the_denser_side_comes_from_below(quiet_page: Page) -> None:
     # A slider turns nothing over before it is let go.
     slider = page.locator("#n_t-slider")
     slider.focus()
-    page.keyboard.down("PageUp")
-    page.keyboard.down("PageUp")
-    page.keyboard.down("PageUp")
-    page.keyboard.down("PageUp")
+    for value in ("1.1", "1.2", "1.3", "1.333"):
+        page.keyboard.down("PageUp")
+        expect(box(page, "n_t")).to_have_value(value)  # a step counts from what is shown
     assert place()[1] > middle
     page.keyboard.up("PageUp")
     page.wait_for_function(

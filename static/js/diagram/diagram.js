@@ -202,6 +202,8 @@ export function createDiagram(element, actions) {
     grip: scene.grip,
     stage: () => stage,
     theta: () => values?.theta_i_deg ?? 0,
+    named: (event) =>
+      values?.landmarks.find((_, index) => lies(event, scene.marks[index]?.name))?.deg,
     actions,
   });
 
@@ -220,11 +222,21 @@ export function createDiagram(element, actions) {
   };
 }
 
+/** @param {PointerEvent} event @param {Element | undefined} element with a name, or with none */
+function lies({ clientX, clientY }, element) {
+  const box = element?.getBoundingClientRect();
+  return (
+    box !== undefined &&
+    Math.abs(clientX - box.left - box.width / 2) < box.width / 2 &&
+    Math.abs(clientY - box.top - box.height / 2) < box.height / 2
+  );
+}
+
 /** With Shift the ray turns by this share of the pointer's turn. */
 const FINE = 0.1;
 
 /** @param {ListenForDragsOptions} task @returns {() => void} stop listening */
-export function listenForDrags({ host, handle, grip, stage, theta, actions }) {
+export function listenForDrags({ host, handle, grip, stage, theta, named, actions }) {
   /** @type {{id: number, from: number, pointer: number, fine: boolean} | null} */
   let held = null;
 
@@ -273,14 +285,11 @@ export function listenForDrags({ host, handle, grip, stage, theta, actions }) {
       event.preventDefault();
       host.toggleAttribute("data-dragging", true);
       const pointer = pointed(event);
-      // The handle stays under the point where it was taken; elsewhere the ray comes to the pointer.
-      held = {
-        id: event.pointerId,
-        from: taken ? theta() : pointer,
-        pointer,
-        fine: event.shiftKey,
-      };
-      if (!taken) actions.onTheta(pointer, { fine: event.shiftKey, free: event.altKey });
+      // The handle stays under the point where it was taken; elsewhere the ray comes to the pointer, or to
+      // the angle that is named there.
+      const from = taken ? theta() : (named(event) ?? pointer);
+      held = { id: event.pointerId, from, pointer, fine: event.shiftKey };
+      if (!taken) actions.onTheta(from, { fine: event.shiftKey, free: event.altKey });
     },
     pointermove(event) {
       if (!held || event.pointerId !== held.id) return;

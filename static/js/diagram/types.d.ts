@@ -96,6 +96,8 @@ interface ListenForDragsOptions {
   grip: SVGElement;
   stage: () => Stage;
   theta: () => number;
+  /** The angle whose name lies under the pointer. */
+  named: (event: PointerEvent) => number | undefined;
   actions: DragActions;
 }
 
