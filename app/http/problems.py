@@ -135,10 +135,16 @@ def _refused(request: Request, status: int, errors: Sequence[ParameterError]) ->
         }
         for e in errors[:MOST_ERRORS]
     ]
-    detail = "; ".join(f"{e['parameter']} = {e['value']}: {e['message']}" for e in shown)
+    detail = "; ".join(f"{_given(e)}: {e['message']}" for e in shown)
     if len(errors) > MOST_ERRORS:
         detail += "; and more"
     return problem_response(request, status, detail, shown)
+
+
+def _given(error: ParameterError) -> str:
+    """The parameter with its value, where it was given one."""
+    name, value = error["parameter"], error["value"]
+    return name if value is None else f"{name} = {value}"
 
 
 def _clipped(value: Any) -> Any:

@@ -151,6 +151,7 @@ def test_what_cannot_be_decided_names_the_parameter_that_decides(
     assert answer.status_code == 422
     (error,) = answer.json()["errors"]
     assert error["parameter"] == parameter
+    assert answer.json()["detail"].startswith(f"{parameter}: ")  # no value was given
 
 
 @pytest.mark.parametrize(

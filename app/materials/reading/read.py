@@ -83,7 +83,9 @@ def reading_of(first: Document, kind: Format, content: Content, notes: Notes) ->
     tables = content.tables
     unit = tables[0].unit if tables else "um"
     columns = content.columns or (
-        (UNITS[unit].kind, *tables[0].columns) if tables else ("wavelength", "n")
+        (UNITS[unit].kind, *dict.fromkeys(role for table in tables for role in table.columns))
+        if tables
+        else ("wavelength", "n")
     )
     return Reading(
         name=_name(notes.choices.name or content.name or _stem(first.name)),

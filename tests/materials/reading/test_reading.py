@@ -587,6 +587,7 @@ def test_n_and_k_beside_one_another_have_each_their_wavelengths() -> None:
     assert points(found.n) == [(400.0, 1.5), (500.0, 1.6), (600.0, 1.7)]
     assert [x for x, _ in points(found.k)] == pytest.approx([HC / 3, HC / 2], rel=1e-14)
     assert [k for _, k in points(found.k)] == [0.1, 0.2]
+    assert found.columns == ("wavelength", "n", "k")
 
 
 def test_rows_without_k_at_the_end_keep_their_n() -> None:
