@@ -89,9 +89,10 @@ def connected(address: str | None, workers: int) -> Iterator[distributed.Client]
         with distributed.Client(address, timeout=10) as client:
             yield client
         return
+    # With None it would listen on the port of the dashboard all the same, which two cannot have.
     with (
         distributed.LocalCluster(
-            n_workers=workers, threads_per_worker=1, dashboard_address=None
+            n_workers=workers, threads_per_worker=1, dashboard_address="127.0.0.1:0"
         ) as cluster,
         distributed.Client(cluster.scheduler_address, timeout=30) as client,
     ):

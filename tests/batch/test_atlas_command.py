@@ -28,7 +28,7 @@ def run(*arguments: object) -> tuple[int, str]:
 def scheduler() -> Iterator[str]:
     """A cluster of threads here, which see what a test changes."""
     with distributed.LocalCluster(
-        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None
+        n_workers=1, threads_per_worker=1, processes=False, dashboard_address="127.0.0.1:0"
     ) as cluster:
         yield cluster.scheduler_address
 

@@ -321,7 +321,7 @@ def test_nothing_is_overwritten_unasked(rows: Path) -> None:
 
 def test_on_a_cluster(rows: Path) -> None:
     with distributed.LocalCluster(
-        n_workers=1, threads_per_worker=2, processes=False, dashboard_address=None
+        n_workers=1, threads_per_worker=2, processes=False, dashboard_address="127.0.0.1:0"
     ) as cluster:
         address = cluster.scheduler_address
         remote = rows.with_name("remote.parquet")

@@ -85,3 +85,15 @@ def test_the_polynomials_ends() -> None:
     found = largest_of_smooth(x, np.array([2.0 + x, 2.0 - x, np.zeros_like(x), np.ones_like(x)]))
     np.testing.assert_allclose(found.value, [3.0, 2.0, 0.0, 1.0], atol=1e-12)
     np.testing.assert_allclose(found.at[:2], [1.0, 0.0], atol=1e-9)
+
+
+def test_a_plateau_does_not_hide_a_narrow_hill() -> None:
+    """As the plateau of total reflection would the dip before it, at Brewster's angle."""
+
+    def curve(x: Array) -> Array:
+        return np.where(x > 0.5, 1.0, 1.2 * np.exp(-(((x - 0.305) / 0.01) ** 2)))
+
+    x = np.linspace(0.0, 1.0, 101)
+    found = largest(curve, x, curve(x[np.newaxis]), 7, 4)
+    np.testing.assert_allclose(found.value, 1.2, rtol=1e-4)
+    np.testing.assert_allclose(found.at, 0.305, atol=1e-3)

@@ -80,9 +80,12 @@ def largest(
 
 
 def _hills(heights: Array) -> NDArray[np.intp]:
-    """Indices of the samples that no neighbor exceeds, the `_HILLS` highest of each curve."""
+    """Indices of the samples that no neighbor exceeds, the `_HILLS` highest of each curve.
+
+    A plateau is one hill, by its first sample, or it would hide all others: of total reflection, say.
+    """
     padded = np.pad(heights, ((0, 0), (1, 1)), constant_values=-1.0)
-    hill = (heights >= padded[:, :-2]) & (heights >= padded[:, 2:])
+    hill = (heights > padded[:, :-2]) & (heights >= padded[:, 2:])
     return np.argsort(np.where(hill, -heights, 1.0), axis=1, kind="stable")[:, :_HILLS]
 
 
