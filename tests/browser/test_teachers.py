@@ -142,6 +142,14 @@ def test_a_view_is_presented_by_a_link_and_left_by_a_key(quiet_page: Page) -> No
     expect(page).to_have_url(re.compile("present=1"))
 
 
+def test_a_material_is_presented_without_the_catalog(quiet_page: Page) -> None:
+    page = quiet_page
+    page.goto("/?view=materials&present=1&preset=Cu")
+    expect(page.get_by_role("heading", name="Copper")).to_be_visible(timeout=READY_MS)
+    for gone in (".browser", ".example-row"):
+        expect(page.locator(f".view-materials {gone}").first).to_be_hidden()
+
+
 @pytest.mark.parametrize("width", [390, 1440])
 def test_what_is_wrong_with_a_presented_link_can_be_closed(page: Page, width: int) -> None:
     page.set_viewport_size({"width": width, "height": 900})
