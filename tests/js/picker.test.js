@@ -68,6 +68,10 @@ test("a medium is found by its other names and its authors once they are known",
   assert.deepEqual(ids("r"), []);
 });
 
+test("a link to a material of one's own that was cut says so, and names no other", () => {
+  assert.match(allowedWords(["Au", "Ag"], "own:AYQJ"), /cut or changed on its way/);
+});
+
 test("of many words the nearest are named, of few all", () => {
   assert.equal(allowedWords(["s", "p"], "x"), "allowed is one of s, p");
   const models = ["schlick", "schlick_tir", "exact", "f82_tint", "lut_1d", "a", "b", "c", "d"];

@@ -257,6 +257,8 @@ export function distance(a, b) {
  * @param {string} word
  */
 export function allowedWords(options, word) {
+  if (word.startsWith("own:"))
+    return "it carries no material: it was cut or changed on its way; copy the whole link";
   if (options.length <= MOST_NAMED) return `allowed is one of ${options.join(", ")}`;
   const given = word.slice(0, 40).toLowerCase();
   const far = new Map(options.map((one) => [one, distance(given, one.toLowerCase())]));
