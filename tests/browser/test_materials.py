@@ -214,7 +214,7 @@ def test_rivals_are_a_band_with_names(quiet_page: Page) -> None:
     expect(page.locator(".spectrum .hint")).to_contain_text(
         "Johnson, McPeak, Babar, Olmon-sc, Hagemann"
     )
-    expect(page.locator(".rivals tbody tr")).to_have_count(9)
+    expect(page.locator(".rival-list .rivals tbody tr")).to_have_count(6)
     choose(page, ".spectrum", "R at 0°")
     expect(lines(page, "spectrum")).to_have_count(6)
     expect(page.locator(".spectrum .plot-legend")).to_contain_text("Johnson")

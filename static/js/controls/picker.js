@@ -104,12 +104,18 @@ export async function createList({
       const rows = await findPages(text).catch(() => []);
       if (!list || input.value !== text) return;
       pages = { text, rows };
-      const [at, { scrollTop }] = [found[active]?.id, list];
-      open(text);
-      const again = found.findIndex(({ id }) => id === at);
-      if (again >= 0) activate(again);
-      list.scrollTop = scrollTop;
+      renew();
     }, PAUSE);
+  }
+
+  /** List again, with more than before; what is chosen and what is seen stay. */
+  function renew() {
+    if (!list) return;
+    const [at, { scrollTop }] = [found[active]?.id, list];
+    open(input.value);
+    const again = found.findIndex(({ id }) => id === at);
+    if (again >= 0) activate(again);
+    list.scrollTop = scrollTop;
   }
 
   /** @param {Material} material @param {number} index */
@@ -227,7 +233,7 @@ export async function createList({
     },
     async focus() {
       await describe();
-      if (list && input.value !== written()) open(input.value);
+      if (input.value !== written()) renew();
     },
     input: () => open(input.value),
     blur: close,

@@ -50,6 +50,8 @@ export async function openSheet({ catalog, set, say }, { files = [], side = "mat
   /** @type {Problem | null} */
   let problem = null;
   let asked = 0;
+  /** What was set last, on its way to the answer. @type {Promise<void>} */
+  let reading;
   const dialog = h("dialog.dialog.own", { "aria-labelledby": "own-title" });
   const close = () => dialog.close();
 
@@ -76,11 +78,13 @@ export async function openSheet({ catalog, set, say }, { files = [], side = "mat
   /** @param {string} name @param {string} value */
   function choose(name, value) {
     byHand[name] = value.trim();
-    void read();
+    reading = read();
   }
 
   /** @param {OwnGiven["side"] | null} place */
   async function use(place) {
+    await reading; // a name that is left by pressing the button is still to be read
+    if (!answer) return;
     const { material, name } = answer;
     try {
       await keep(catalog, material);
@@ -183,7 +187,7 @@ export async function openSheet({ catalog, set, say }, { files = [], side = "mat
   function take(given) {
     chosen = [...given];
     for (const name of Object.keys(byHand)) delete byHand[name];
-    void read();
+    reading = read();
   }
 
   function draw() {
@@ -227,7 +231,7 @@ export async function openSheet({ catalog, set, say }, { files = [], side = "mat
   draw();
   document.body.append(dialog);
   dialog.showModal();
-  void read();
+  reading = read();
 }
 
 /** n and k over the wavelength, each to its own scale. @param {any} spectrum */
