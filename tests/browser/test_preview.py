@@ -251,7 +251,7 @@ def test_every_model_can_stand_on_a_side(quiet_page: Page) -> None:
     assert sorted(offered) == sorted([*(m["id"] for m in models), "none"])
     select.select_option("schlick_four_percent")
     rested(page)
-    assert link(page)["right"] == "schlick_four_percent"
+    assert link(page)["models"] == "schlick_four_percent"
     page.go_back()
     expect(select).to_have_value("schlick")
 
@@ -284,7 +284,7 @@ def test_without_webgl_it_says_so(quiet_page: Page) -> None:
     expect(page.locator(".no-webgl")).to_contain_text("no WebGL2")
     expect(page.locator(".scene")).to_have_count(0)
     page.get_by_label("Model on the right").select_option("one_minus_cos")
-    expect(page).to_have_url(re.compile("right=one_minus_cos"))
+    expect(page).to_have_url(re.compile("models=one_minus_cos"))
     assert axe_violations(page) == []
 
 
