@@ -91,6 +91,8 @@ export async function createList({
   /** @type {Material[]} */
   let found = [];
   let active = -1;
+  /** Whether the line was chosen by keys; else it is the best match, whichever that is. */
+  let moved = false;
   /** Pages that fit what was typed, and what that is. @type {{text: string, rows: Material[]}} */
   let pages = { text: "", rows: [] };
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -114,7 +116,7 @@ export async function createList({
     const [at, { scrollTop }] = [found[active]?.id, list];
     open(input.value);
     const again = found.findIndex(({ id }) => id === at);
-    if (again >= 0) activate(again);
+    if (moved && again >= 0) activate(again);
     list.scrollTop = scrollTop;
   }
 
@@ -235,7 +237,10 @@ export async function createList({
       await describe();
       if (input.value !== written()) renew();
     },
-    input: () => open(input.value),
+    input() {
+      moved = false;
+      open(input.value);
+    },
     blur: close,
     keydown(event) {
       const { key, ctrlKey, metaKey } = /** @type {KeyboardEvent} */ (event);
@@ -243,7 +248,10 @@ export async function createList({
       const step = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10 }[key];
       if (step !== undefined) {
         if (!list) open("");
-        else activate(Math.min(Math.max(active + step, 0), found.length - 1));
+        else {
+          moved = true;
+          activate(Math.min(Math.max(active + step, 0), found.length - 1));
+        }
       } else if (key === "Enter" && list) take(active);
       else if (key === "Escape" && list) {
         close();
