@@ -18,7 +18,7 @@ References
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
@@ -76,14 +76,17 @@ def _over(coat: Array, below: Array) -> Array:
     return np.asarray(coat + (1.0 - coat) * below)
 
 
-def _plain(base: Base, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
+def _schlick_coat(base: Base, incidence: Incidence, coat_F0: Array | float) -> Array:
     mu = incidence.cos[..., np.newaxis]
-    return _over(polynomial(COAT_F0, mu), polynomial(F0, mu))
+    return _over(polynomial(coat_F0, mu), polynomial(base.F0, mu))
 
 
-def _of_any_index(base: Base, incidence: Incidence, F0: Array) -> Array:
-    mu = incidence.cos[..., np.newaxis]
-    return _over(polynomial(Interface(1.0, base.n).F0, mu), polynomial(F0, mu))
+def _plain(base: Base, incidence: Incidence) -> Array:
+    return _schlick_coat(base, incidence, COAT_F0)
+
+
+def _of_any_index(base: Base, incidence: Incidence) -> Array:
+    return _schlick_coat(base, incidence, Interface(1.0, base.n).F0)
 
 
 def _exact_coat(base: Base, incidence: Incidence) -> Array:
@@ -95,7 +98,7 @@ def _metal(base: Base, incidence: Incidence) -> Array:
     return f82_tint(Interface(), along, base.F0, base.tint)
 
 
-def _cycles(base: Base, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
+def _cycles(base: Base, incidence: Incidence) -> Array:
     return _over(_exact_coat(base, incidence), _metal(base, incidence))
 
 
@@ -105,16 +108,16 @@ def _darkened(base: Base, incidence: Incidence, K: Array | float) -> Array:
     return _over(_exact_coat(base, incidence), below)
 
 
-def _openpbr(base: Base, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
+def _openpbr(base: Base, incidence: Incidence) -> Array:
     return _darkened(base, incidence, _exact_coat(base, incidence))
 
 
-def _materialx(base: Base, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
+def _materialx(base: Base, incidence: Incidence) -> Array:
     coat = Interface(1.0, base.n)
     return _darkened(base, incidence, 1.0 - (1.0 - float(coat.F0)) / base.n**2)
 
 
-def _babylon(base: Base, incidence: Incidence, F0: Array) -> Array:  # noqa: ARG001
+def _babylon(base: Base, incidence: Incidence) -> Array:
     """The color below times (1 - a)^2, a the mean of the coat's reflectance and of (1 + its F0) / 2."""
     coat = Interface(1.0, base.n)
     over = babylon_openpbr(coat, incidence, coat.F0)[..., np.newaxis]
@@ -133,13 +136,14 @@ class CoatShortcut:
     """What it leaves out, in words."""
     F0_below: Callable[[Array, float], Array]
     """F0 that it takes for the surface below, of that in air and the coat's index."""
-    function: Callable[[Base, Incidence, Array], Array]
+    function: Callable[[Base, Incidence], Array]
+    """Three channels of the whole, of a base with that F0."""
     engines: tuple[str, ...] = ()
     """Ids of the engines in which coated gold was measured to follow it."""
 
     def color(self, base: Base, incidence: Incidence) -> Array:
         """Three channels of the whole, the angles' shape followed by 3."""
-        return self.function(base, incidence, self.F0_below(base.F0, base.n))
+        return self.function(replace(base, F0=self.F0_below(base.F0, base.n)), incidence)
 
 
 _FIXED = "Its coat has the index 1.5, whatever yours has"
