@@ -41,7 +41,7 @@ from app.optics.edge_tint import (
 from app.optics.errors import NotAllowed
 from app.optics.interface import Interface, normal_reflectance
 from app.optics.knobs.knob import Knob, KnobId, Seen, Setting, Status
-from app.optics.knobs.reflectance import KNOBS, REFLECTANCE_F0, SPECULAR_F0
+from app.optics.knobs.reflectance import KNOBS, LARGEST_ETA, REFLECTANCE_F0, SPECULAR_F0
 from app.optics.parameters import K_T, N_I, N_T, Array, Parameter, share
 from app.optics.specular import F82, tint_at_82
 
@@ -57,7 +57,6 @@ Form = Literal[
 Value = float | str | None
 
 _LARGEST_CLEAR_INDEX = 6.4  # tellurium's in the infrared: nothing that is transparent has more
-_LARGEST_ETA = 1e5  # beyond it, F0 > 0.99996, there is nothing but a mirror
 
 
 F0_LINEAR = share("F0", "F_0", "Reflectance at normal incidence, linear.", triple=True)
@@ -382,7 +381,7 @@ def _dg(known: Known) -> Conversion:
 
 def _f82(known: Known) -> list[Conversion]:
     eta = known.index[0]
-    if eta > _LARGEST_ETA:
+    if eta > LARGEST_ETA:
         why = f"F0 = {known.F0:.6g} alone asks for n_t/n_i = {eta:.3g}, which is a mirror"
         return [
             Conversion("f82", {"F0": known.F0, "F82": None}, "infeasible", why),

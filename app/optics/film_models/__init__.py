@@ -26,6 +26,7 @@ from functools import cache
 import numpy as np
 
 from app.optics.collection import Collection
+from app.optics.edge_tint import eta_max
 from app.optics.errors import UnknownModel
 from app.optics.parameters import Array
 
@@ -167,8 +168,7 @@ def faded(surface: CoatedSurface, whole_at_nm: float) -> Array:
 
 def index_of(F0: Array) -> Array:
     """The real index above 1 that reflects F0 in air."""
-    root = np.sqrt(np.clip(F0, 0.0, 0.9999))
-    return np.asarray((1.0 + root) / (1.0 - root))
+    return eta_max(np.clip(F0, 0.0, 0.9999))
 
 
 class FilmModels(Collection[FilmModel]):

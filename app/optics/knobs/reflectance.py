@@ -19,6 +19,7 @@ from dataclasses import replace
 from functools import partial
 
 from app.optics.errors import OutOfRange
+from app.optics.interface import normal_reflectance
 from app.optics.knobs.knob import (
     Input,
     Knob,
@@ -34,7 +35,8 @@ from app.optics.parameters import Parameter, share
 
 SPECULAR_F0 = 0.08
 REFLECTANCE_F0 = 0.16
-_LARGEST_ETA = 1e5
+LARGEST_ETA = 1e5
+"""Beyond it, F0 > 0.99996, there is nothing but a mirror."""
 
 SPECULAR = share("specular", r"\text{specular}", "Specular level, F0 / 0.08.")
 FILAMENT = share("reflectance", r"\text{reflectance}", "Filament's reflectance, sqrt(F0 / 0.16).")
@@ -58,7 +60,7 @@ COLOR_FACTOR = replace(
 
 def of_index(eta: float) -> float:
     """F0 of a relative index."""
-    return ((eta - 1.0) / (eta + 1.0)) ** 2
+    return float(normal_reflectance(1.0, eta, 0.0))
 
 
 def index_of(F0: float, side: float = 1.0) -> float:
@@ -116,14 +118,14 @@ def _read_blender(ior: float, level: float) -> Read:
     F0 = min(2.0 * level * of_index(eta), 1.0)
     eta = index_of(F0, eta - 1.0)
     lost = "which IOR and Specular IOR Level made this F0 is lost"
-    return Read(F0, eta if eta <= _LARGEST_ETA else None, lost)
+    return Read(F0, eta if eta <= LARGEST_ETA else None, lost)
 
 
 def _read_openpbr(specular_ior: float, weight: float) -> Read:
     F0 = min(weight * of_index(specular_ior), 1.0)
     eta = index_of(F0, specular_ior - 1.0)
     lost = "" if weight == 1.0 else "which specular_ior and specular_weight made this F0 is lost"
-    return Read(F0, eta if eta <= _LARGEST_ETA else None, lost)
+    return Read(F0, eta if eta <= LARGEST_ETA else None, lost)
 
 
 def _read_gltf(ior: float, factor: float, color: float) -> Read:
