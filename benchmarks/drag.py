@@ -15,11 +15,10 @@ import os
 import shutil
 from collections.abc import AsyncIterator
 from dataclasses import dataclass, field
-from pathlib import Path
 
 from playwright.async_api import Browser, Page, Response, async_playwright
 
-from benchmarks.load import served, under_uvicorn
+from benchmarks.load import beside_the_older
 
 SECONDS = 3.0
 SWEEPS_PER_SECOND = 0.5
@@ -271,14 +270,7 @@ async def run(ports: dict[str, int]) -> None:
 
 def main() -> None:
     """Serve the application, and an older build if there is one, with one worker and measure it."""
-    older = os.environ.get("FRESNEL_OLDER")
-    # What any build can be served by.
-    serve = under_uvicorn("app.main:create_app", "--factory")
-    with contextlib.ExitStack() as stack:
-        ports = {"this build": stack.enter_context(served(*serve)).port}
-        if older:
-            other = stack.enter_context(served(*serve, folder=Path(older)))
-            ports["the older build"] = other.port
+    with beside_the_older() as ports:
         asyncio.run(run(ports))
 
 

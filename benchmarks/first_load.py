@@ -9,18 +9,16 @@ asked for and sent before the first curve is listed at the slowest of the connec
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import os
 import statistics
 from dataclasses import dataclass, field
-from pathlib import Path
 
 from playwright.async_api import Browser, async_playwright
 
 from app.page.packed import packed
 from app.settings import Settings
 from benchmarks.drag import find_browser, is_library
-from benchmarks.load import served, under_uvicorn
+from benchmarks.load import beside_the_older
 
 ROUNDS = 3
 LINES = {
@@ -161,13 +159,7 @@ def main() -> None:
     settings = Settings()
     form = "packed" if packed(settings.static_dir) and settings.page != "sources" else "sources"
     print(f"the page is served {'packed' if form == 'packed' else 'module by module'}")
-    older = os.environ.get("FRESNEL_OLDER")
-    serve = under_uvicorn("app.main:create_app", "--factory")
-    with contextlib.ExitStack() as stack:
-        ports = {"this build": stack.enter_context(served(*serve)).port}
-        if older:
-            other = stack.enter_context(served(*serve, folder=Path(older)))
-            ports["the older build"] = other.port
+    with beside_the_older() as ports:
         asyncio.run(run(ports))
 
 

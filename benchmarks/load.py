@@ -66,6 +66,20 @@ def served(
         server.wait()
 
 
+@contextlib.contextmanager
+def beside_the_older() -> Iterator[dict[str, int]]:
+    """Ports of this build, and of the one whose folder is in FRESNEL_OLDER if there is one."""
+    # What any build can be served by.
+    serve = under_uvicorn("app.main:create_app", "--factory")
+    older = os.environ.get("FRESNEL_OLDER")
+    with contextlib.ExitStack() as stack:
+        ports = {"this build": stack.enter_context(served(*serve)).port}
+        if older:
+            other = stack.enter_context(served(*serve, folder=Path(older)))
+            ports["the older build"] = other.port
+        yield ports
+
+
 def rate(port: int, targets: Iterator[str], requests: int) -> float:
     """Answers a second over a few kept-alive connections that each ask for one target at a time."""
     return asyncio.run(_rate(port, targets, requests))
