@@ -19,7 +19,7 @@ def test_models_are_carried_from_view_to_view_by_one_key(quiet_page: Page) -> No
     views.get_by_role("link", name="Explore").click()
     expect(page).to_have_url(re.compile("models=lazanyi2005,schlick"))
     assert "against" not in page.url
-    expect(page.locator(".forms input:checked")).to_have_count(2, timeout=READY_MS)
+    expect(page.locator(".view-explore .forms input:checked")).to_have_count(2, timeout=READY_MS)
     views.get_by_role("link", name="Preview").click()
     model = page.get_by_label("Model on the right")
     expect(model).to_have_value("lazanyi2005", timeout=READY_MS)

@@ -1,7 +1,7 @@
 /** The sheet where a file or a table of n and k becomes a material: what was assumed, and n and k. */
 
 import { NEGLIGIBLE } from "../media/media.js";
-import { significant } from "../numbers/format.js";
+import { plain, significant } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { addressOf, follow } from "../page/links.js";
 import { html, nothing, render, svg } from "../page/lit.js";
@@ -262,7 +262,7 @@ function plot({ wavelength_nm: x, n, k }) {
     <figcaption>
       <span>n ${index.said}, solid</span>
       <span>${absorption ? `k ${absorption.said}, dashed` : "k is not known"}</span>
-      <span>${significant(low, 5)} to ${significant(high, 5)} nm</span>
+      <span>${plain(low)} to ${plain(high)} nm</span>
     </figcaption>
   </figure>`;
 }
