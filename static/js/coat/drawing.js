@@ -28,7 +28,7 @@ export function createDrawing() {
   let shown = null;
 
   function draw() {
-    const { clientWidth: width, clientHeight: height } = frame;
+    const { width, height } = size;
     if (!shown || width < SMALLEST || height < SMALLEST) return;
     const line = Number.parseFloat(getComputedStyle(frame).fontSize) * 1.35;
     const picture = coatPicture(shown, { width, height, line });
@@ -73,7 +73,7 @@ export function createDrawing() {
     );
   }
 
-  const destroy = onResize(frame, draw);
+  const { size, stop } = onResize(frame, draw);
 
   return {
     element: frame,
@@ -88,12 +88,12 @@ export function createDrawing() {
       const root = frame.querySelector("svg");
       if (!shown || !root) throw new Error("there is no picture yet");
       if (format === "csv") return new Blob([csv(shown)], { type: "text/csv;charset=utf-8" });
-      const { clientWidth: width, clientHeight: height } = frame;
+      const { width, height } = size;
       const ground = getComputedStyle(document.documentElement).backgroundColor;
       const source = await standalone(root, { width, height, ground });
       const blob = new Blob([source], { type: "image/svg+xml;charset=utf-8" });
       return format === "svg" ? blob : rasterized(blob, 2 * width, 2 * height);
     },
-    destroy,
+    destroy: stop,
   };
 }

@@ -170,7 +170,7 @@ export function createDrawing(onMove, onSettle) {
   }
 
   function draw() {
-    const { clientWidth: width, clientHeight: height } = frame;
+    const { width, height } = size;
     if (!known || width < 60 || height < 60) return;
     const { now, facts, here, reading } = known;
     const layers = readLayers(now.layers) ?? [];
@@ -264,7 +264,7 @@ export function createDrawing(onMove, onSettle) {
     frame.ariaDescription = `${angle(now.theta_i_deg, now.angle)}; reflected ${percent(R)}`;
   }
 
-  const destroy = onResize(frame, draw);
+  const { size, stop } = onResize(frame, draw);
 
   return {
     element: frame,
@@ -279,6 +279,6 @@ export function createDrawing(onMove, onSettle) {
       pressed = null;
       draw();
     },
-    destroy,
+    destroy: stop,
   };
 }
