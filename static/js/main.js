@@ -4,6 +4,7 @@ import { canBeIncident, createConstants, WAVELENGTH } from "./media/media.js";
 import { byId, h } from "./page/dom.js";
 import { createRouter } from "./page/router.js";
 import { createShell, failure, listenForKeys } from "./page/shell.js";
+import { library } from "./plot/figure.js";
 import {
   completed,
   createAsking,
@@ -36,6 +37,7 @@ const WORKED_OUT =
   "What is drawn was worked out here, by the formulas that the server sent before.";
 const REFUSED = "A part of the page did not arrive. Is the server running, and are you online?";
 const ANSWER_DUE = 80; // ms that a picture in motion waits for its answer
+const PRINT_AFTER = 200; // ms, in which the picture is drawn
 const KERNELS_AFTER = 1000; // ms after the first answer, if nobody reaches for anything
 const PAGE_ANGLE = 64; // where the page starts: R, Rs and Rp are well apart
 const SAY_AFTER = 900; // ms of rest before the numbers are spoken
@@ -118,6 +120,16 @@ async function firstCatalog(main) {
   }
 }
 
+const preparePrint = () =>
+  void import("./page/print.js").then((print) => print.preparePrint()).catch(() => {});
+
+/** When the files that the document names are there. */
+const loaded = () =>
+  new Promise((then) => {
+    if (document.readyState === "complete") then(null);
+    else window.addEventListener("load", then, { once: true });
+  });
+
 async function start() {
   const main = byId("view");
   /** @type {ReturnType<typeof createRouter> | undefined} */
@@ -131,6 +143,11 @@ async function start() {
     },
   });
 
+  // On a phone the curves that the server drew stay until they are seen: Plotly comes then.
+  const wide = matchMedia(/** @type {HTMLLinkElement} */ (byId("plotly")).media).matches;
+  const early = wide || !main.querySelector(".first-curves");
+  /** When the first picture stands: what can wait is not to keep its files from coming. */
+  const pictured = Promise.all([loaded(), early && library().catch(() => {})]);
   const catalog = await firstCatalog(main);
   /** Media that the catalog has not, of the link or besides. @param {unknown} [besides] */
   async function bring(besides) {
@@ -191,7 +208,7 @@ async function start() {
     kernels: () => answerer,
     onAnswer() {
       schedule();
-      if (!answerer) setTimeout(fetchKernels, KERNELS_AFTER);
+      if (!answerer) pictured.then(() => setTimeout(fetchKernels, KERNELS_AFTER));
     },
     onProblem(name, problem) {
       fetchKernels();
@@ -300,11 +317,10 @@ async function start() {
   }
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let resting;
-  function restLater() {
+  async function restLater() {
+    await pictured;
     clearTimeout(resting);
-    if (document.readyState !== "complete")
-      window.addEventListener("load", restLater); // Plotly is still under way
-    else if (!rested) resting = setTimeout(() => rest().catch(() => {}), KEEP_AFTER);
+    if (!rested) resting = setTimeout(() => rest().catch(() => {}), KEEP_AFTER);
   }
   state.subscribe(restLater);
 
@@ -451,13 +467,13 @@ async function start() {
     });
   });
   void present(state.get());
-  const preparePrint = () =>
-    void import("./page/print.js").then((print) => print.preparePrint()).catch(() => {});
-  if (document.readyState === "complete") preparePrint();
-  else window.addEventListener("load", preparePrint, { once: true });
+  void pictured.then(() => {
+    setTimeout(preparePrint, PRINT_AFTER);
+    startWorker();
+  });
   constants.follow(state.get());
   asking.ask();
   schedule();
 }
 
-void start().then(startWorker);
+void start();

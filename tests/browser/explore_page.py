@@ -10,9 +10,11 @@ READY_MS = 15_000
 
 
 def opened(page: Page, query: str = "") -> Page:
-    """Open the view and wait for its first curve and its numbers."""
+    """Open the view and wait for its first curve, which comes when it is seen, and its numbers."""
     page.goto(f"/{query}")
+    page.locator(".plot-area").first.scroll_into_view_if_needed(timeout=READY_MS)
     page.locator(".plot-host path.js-line").first.wait_for(state="attached", timeout=READY_MS)
+    page.evaluate("scrollTo(0, 0)")
     expect(number(page, "R")).to_be_visible()
     return page
 

@@ -136,6 +136,22 @@ def test_the_first_picture_stands_where_the_page_draws_it_anew(
     assert sum(value for value, *_ in shifts) < JUMP, shifts
 
 
+def test_on_a_phone_plotly_waits_until_its_plot_is_seen(page: Page) -> None:
+    page.set_viewport_size({"width": 390, "height": 780})
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.url))
+    page.goto("/?n_t=1.7")
+    expect(page.locator('.number[aria-label^="R:"]')).to_be_visible()
+    page.wait_for_load_state("networkidle")
+    expect(page.locator(".first-curves path")).to_have_count(3)
+    assert not [url for url in asked if "plotly" in url and url.endswith(".js")]
+    page.get_by_role("slider", name="angle of incidence").first.press("ArrowRight")
+    page.wait_for_timeout(500)
+    page.locator(".plot-host").scroll_into_view_if_needed()
+    expect(page.locator(".plot-canvas path.js-line")).to_have_count(3)
+    expect(page.locator(".first-curves")).to_have_count(0)
+
+
 def test_where_scripts_are_forbidden_the_picture_stands_alone(
     browser: Browser, browser_context_args: dict[str, Any]
 ) -> None:

@@ -2,7 +2,7 @@
 
 import { advances, createMeasure, plainText, plotlyText } from "../draw/svg.js";
 import { bandShapes } from "./bands.js";
-import { arrange, CONFIG, plotlyLayout, plotlyTraces } from "./figure.js";
+import { arrange, CONFIG, library, plotlyLayout, plotlyTraces } from "./figure.js";
 import { fontFaces, rasterized, withStyle } from "./image.js";
 import { keyRows } from "./legend.js";
 import { MOST_LABELS, placeLabels, placeMarkNames } from "./overlay.js";
@@ -228,6 +228,7 @@ export function captioned(paragraphs, { size, margins, padding }, above, { famil
  */
 export async function imageOf(figure, format, mmPerPx) {
   const { width = 960, height = 600, font } = figure.layout;
+  await library();
   const uri = await Plotly.toImage(figure, { format: "svg", width, height });
   const family = /** @type {{family: string}} */ (font).family;
   const drawn = decodeURIComponent(uri.slice(uri.indexOf(",") + 1));

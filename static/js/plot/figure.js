@@ -571,18 +571,45 @@ export function readTheme(element) {
   };
 }
 
-/** @returns {Promise<Plotly.Library>} the library, once its script has run */
-export async function library() {
-  if (window.Plotly) return window.Plotly;
-  const script = document.querySelector('script[src*="plotly"]');
-  if (!script) throw new Error("Plotly's script is not on the page");
-  await new Promise((resolve, reject) => {
-    script.addEventListener("load", resolve, { once: true });
-    script.addEventListener("error", () => reject(new Error("Plotly could not be loaded")), {
-      once: true,
+/** @type {Promise<void> | null} */
+let asked = null;
+
+/** Plotly, asked for once. @returns {Promise<void>} once its script has run */
+export function library() {
+  asked ??= new Promise((run, refuse) => {
+    const { href } = /** @type {HTMLLinkElement} */ (document.getElementById("plotly"));
+    const script = h("script", { src: href });
+    script.addEventListener("load", () => run());
+    script.addEventListener("error", () => {
+      asked = null;
+      script.remove();
+      refuse(new Error("Plotly could not be loaded"));
     });
+    document.head.append(script);
   });
-  return library();
+  return asked;
+}
+
+/**
+ * Whether some of an element is seen: on the screen, and not behind the sheet that holds a phone's controls.
+ * @param {HTMLElement} element
+ * @returns {Promise<void>} once it is
+ */
+export function seen(element) {
+  const sheet = element.closest(".view")?.querySelector(".panel");
+  const fixed = sheet && getComputedStyle(sheet).position === "fixed";
+  const rootMargin = `0px 0px ${fixed ? -sheet.clientHeight : 0}px`;
+  return new Promise((done) => {
+    const watching = new IntersectionObserver(
+      (entries) => {
+        if (!entries.some((entry) => entry.isIntersecting)) return;
+        watching.disconnect();
+        done();
+      },
+      { rootMargin },
+    );
+    watching.observe(element);
+  });
 }
 
 /** The smallest area that is worth drawing into; a hidden one has no size. */

@@ -15,6 +15,7 @@ import {
   library,
   plotlyLayout,
   plotlyTraces,
+  seen,
   unitSuffix,
 } from "./figure.js";
 import { createOverlay, MOST_LABELS } from "./overlay.js";
@@ -114,6 +115,7 @@ export function createPlot(element, options) {
     turn += 1;
     const own = turn;
     if (!window.Plotly) {
+      if (options.meanwhile?.isConnected) await seen(area);
       await library();
       if (own !== turn) return;
     }

@@ -166,6 +166,8 @@ interface PlotOptions {
   filename?: string;
   /** So many curves at most carry their names, more have a legend. */
   names?: number;
+  /** A picture of the same curves: while it stands, Plotly is asked for once they are seen. */
+  meanwhile?: Element | null | undefined;
 }
 
 interface Plot {

@@ -226,6 +226,7 @@ export function createView({
   const plot = createPlot(plotFrame, {
     ...axesOf(/** @type {any} */ (state())),
     filename: "fresnel-curves",
+    meanwhile: firstCurves,
     onPick(x, { settled, free }) {
       drag(inDegrees(x, now?.angle ?? "deg"), free);
       if (settled) actions.settle();
