@@ -2,6 +2,8 @@
 
 import json
 import re
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +15,7 @@ from app.optics.interface import Interface
 from tests.browser.preview_page import (
     RADIANCE,
     Figure,
+    Shot,
     View,
     axe_violations,
     encoded,
@@ -36,73 +39,73 @@ def points(view: View) -> list[tuple[float, float]]:
     return [(int(one) + 0.5, y) for one in [*xs, rim - 0.5]]
 
 
+def off_by(picture: Shot, light: Callable[[float], Sequence[float]], rim: bool = True) -> float:
+    """Largest distance, of 255, of the ball from the linear light that cos(theta_i) asks for."""
+    height, width, _ = picture.pixels.shape
+    view = View(width, height)
+    off = []
+    for x, y in points(view)[: None if rim else -1]:
+        mu = view.cosine(x, y)
+        assert mu is not None
+        off.append(float(np.abs(picture.at(x, y) - encoded(light(mu))).max()))
+    return max(off)
+
+
+def over(degrees: Any, channels: Iterable[Any]) -> Callable[[float], list[float]]:
+    """The light of reflectances over the angle, by cos(theta_i)."""
+    kept = list(channels)
+    return lambda mu: [
+        RADIANCE * float(np.interp(np.degrees(np.arccos(mu)), degrees, one)) for one in kept
+    ]
+
+
 @pytest.mark.parametrize("media", ["n_t=0.27&k_t=2.9", "n_t=2.9&k_t=3", "n_t=1.5&k_t=5"])
 def test_the_ball_shows_r_times_the_radiance(quiet_page: Page, media: str) -> None:
     quiet_page.set_viewport_size(SMALL)
     page = opened(quiet_page, f"&{media}{EVEN}")
-    picture = shot(page)
-    height, width, _ = picture.pixels.shape
-    view = View(width, height)
     interface = Interface(**{k: float(v) for k, v in (p.split("=") for p in media.split("&"))})
-    worst = 0.0
-    for x, y in points(view):
-        mu = view.cosine(x, y)
-        assert mu is not None
-        R = float(power(interface, Incidence.from_cosine(mu)).R)
-        worst = max(worst, float(np.abs(picture.at(x, y) - encoded([R * RADIANCE] * 3)).max()))
-    assert worst <= STEPS
+
+    def light(mu: float) -> list[float]:
+        return [float(power(interface, Incidence.from_cosine(mu)).R) * RADIANCE] * 3
+
+    picture = shot(page)
+    assert off_by(picture, light) <= STEPS
     assert np.abs(picture.at(3, 3) - encoded([RADIANCE] * 3)).max() <= 1.0
 
 
 def test_gold_shows_its_spectrum_in_color(quiet_page: Page) -> None:
     quiet_page.set_viewport_size(SMALL)
     page = opened(quiet_page, f"&material=Au{EVEN}")
-    picture = shot(page)
-    height, width, _ = picture.pixels.shape
-    view = View(width, height)
     answer = page.request.get("/api/v1/materials/Au/curves?models=schlick&samples=2001").json()
     curve = answer["rgb"]["curves"][0]
-    for x, y in points(view):
-        mu = view.cosine(x, y)
-        assert mu is not None
-        angle = np.degrees(np.arccos(mu))
-        rgb = [
-            RADIANCE * np.interp(angle, answer["theta_i_deg"], curve[f"R_{name}"])
-            for name in ("red", "green", "blue")
-        ]
-        assert np.abs(picture.at(x, y) - encoded(rgb)).max() <= STEPS
+    channels = [curve[f"R_{name}"] for name in ("red", "green", "blue")]
+    assert off_by(shot(page), over(answer["theta_i_deg"], channels)) <= STEPS
 
 
 def test_paint_under_a_coat_lets_out_what_the_api_says(quiet_page: Page) -> None:
     """In even light: R of the coat, and of what the body sends out the share T(theta) / (1 - A_e)."""
     quiet_page.set_viewport_size(SMALL)
     page = opened(quiet_page, f"&paint=d8322a{EVEN}")
-    picture = shot(page)
-    height, width, _ = picture.pixels.shape
-    view = View(width, height)
     albedos = [(c / 255 + 0.055) / 1.055 for c in (0xD8, 0x32, 0x2A)]
     coats = [page.request.get(f"/api/v1/albedo/coat?body_albedo={a**2.4}").json() for a in albedos]
-    for x, y in points(view):
-        mu = view.cosine(x, y)
-        assert mu is not None
+
+    def light(mu: float) -> list[float]:
         R = float(power(Interface(n_t=1.5), Incidence.from_cosine(mu)).R)
-        rgb = [RADIANCE * (R + (1 - R) * c["body"] / (1 - c["external"])) for c in coats]
-        assert np.abs(picture.at(x, y) - encoded(rgb)).max() <= STEPS
+        return [RADIANCE * (R + (1 - R) * c["body"] / (1 - c["external"])) for c in coats]
+
+    assert off_by(shot(page), light) <= STEPS
 
 
 def test_clear_glass_mixes_what_is_refracted_and_reflected(quiet_page: Page) -> None:
     """In even light: R + T * T, as light goes through the surface twice."""
     quiet_page.set_viewport_size(SMALL)
     page = opened(quiet_page, f"&body=clear{EVEN}")
-    picture = shot(page)
-    height, width, _ = picture.pixels.shape
-    view = View(width, height)
-    for x, y in points(view):
-        mu = view.cosine(x, y)
-        assert mu is not None
+
+    def light(mu: float) -> list[float]:
         R = float(power(Interface(n_t=1.5), Incidence.from_cosine(mu)).R)
-        expected = encoded([RADIANCE * (R + (1 - R) ** 2)] * 3)
-        assert np.abs(picture.at(x, y) - expected).max() <= STEPS
+        return [RADIANCE * (R + (1 - R) ** 2)] * 3
+
+    assert off_by(shot(page), light) <= STEPS
 
 
 @pytest.mark.parametrize("scene", ["", "&scene=water", "&body=clear", "&material=Cu"])
@@ -378,44 +381,26 @@ def test_it_fits_a_phone(quiet_page: Page) -> None:
 def test_a_film_on_the_ball_has_the_colors_of_the_spectrum(quiet_page: Page) -> None:
     quiet_page.set_viewport_size(SMALL)
     page = opened(quiet_page, f"&layers=2.4:60&material=Ti{EVEN}")
-    picture = shot(page)
-    height, width, _ = picture.pixels.shape
-    view = View(width, height)
     answer = page.request.get(
         "/api/v1/films/color?layers=2.4&material=Ti&thickness_nm=60&samples=721"
     ).json()
     colors = np.array(answer["colors"][0]["linear_srgb"][0])
-    for x, y in points(view):
-        mu = view.cosine(x, y)
-        assert mu is not None
-        angle = np.degrees(np.arccos(mu))
-        rgb = [RADIANCE * np.interp(angle, answer["theta_i_deg"], channel) for channel in colors.T]
-        assert np.abs(picture.at(x, y) - encoded(rgb)).max() <= STEPS
+    assert off_by(shot(page), over(answer["theta_i_deg"], colors.T)) <= STEPS
 
 
 def test_a_clear_ball_lets_through_what_its_film_does_not_absorb(quiet_page: Page) -> None:
     """In even light: R + T^2 of the spectrum's colors, which of gold leaf is far less than 1."""
     quiet_page.set_viewport_size(SMALL)
     page = opened(quiet_page, f"&layers=Au:30&n_t=1&body=clear{EVEN}")
-    picture = shot(page)
-    height, width, _ = picture.pixels.shape
-    view = View(width, height)
     of = "/api/v1/films/color?layers=Au&n_t=1&thickness_nm=30&samples=181"
     R, T = (
-        page.request.get(f"{of}&quantity={quantity}").json()["colors"][0]["linear_srgb"][0]
+        np.array(
+            page.request.get(f"{of}&quantity={quantity}").json()["colors"][0]["linear_srgb"][0]
+        )
         for quantity in ("R", "T")
     )
-    degrees = np.linspace(0.0, 90.0, 181)
-    for x, y in points(view)[:-1]:
-        mu = view.cosine(x, y)
-        assert mu is not None
-        angle = np.degrees(np.arccos(mu))
-        r, t = (
-            np.array([np.interp(angle, degrees, channel) for channel in np.array(each).T])
-            for each in (R, T)
-        )
-        expected = encoded((RADIANCE * (r + t * t)).tolist())
-        assert np.abs(picture.at(x, y) - expected).max() <= STEPS + 1.0
+    light = over(np.linspace(0.0, 90.0, 181), (R + T * T).T)
+    assert off_by(shot(page), light, rim=False) <= STEPS + 1.0
 
 
 def test_films_are_put_on_and_a_shortcut_beside_them(quiet_page: Page) -> None:
