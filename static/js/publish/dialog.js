@@ -66,7 +66,7 @@ function createDialog() {
     h("div.publish-actions", ...saves, close),
   );
   const dialog = h(
-    "dialog.publish",
+    "dialog.dialog.publish",
     { "aria-labelledby": "publish-title" },
     h("h2", { id: "publish-title" }, "Figure for print"),
     form,
@@ -225,6 +225,8 @@ let dialog = null;
 
 /** @param {PublishTask} task */
 export async function publish(task) {
-  dialog ??= loadStyle("css/publish.css").then(createDialog);
+  dialog ??= Promise.all(["dialog", "publish"].map((name) => loadStyle(`css/${name}.css`))).then(
+    createDialog,
+  );
   await (await dialog).open(task);
 }
