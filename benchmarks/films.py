@@ -131,11 +131,12 @@ def nanoseconds(computation: Computation, values: int) -> float:
 def strip() -> float:
     """Seconds of a strip of colors over thickness and angle, the fastest of the rounds."""
     media_ = FilmMedia(Front(1.0), read_layers("1.33", without_thickness=True), Side(1.0 + 0j))
-    thickness_nm, theta_i_deg = np.linspace(0.0, 1000.0, 256), np.linspace(0.0, 90.0, 128)
+    thickness_nm = np.linspace(0.0, 1000.0, 256)
+    incidence = Incidence.from_degrees(np.linspace(0.0, 90.0, 128))
     times = []
     for _ in range(ROUNDS):
         start = time.process_time()
-        film_colors(media_, 1, thickness_nm, theta_i_deg)
+        film_colors(media_, 1, thickness_nm, incidence)
         times.append(time.process_time() - start)
     return min(times)
 

@@ -265,15 +265,14 @@ def albedos(interface: Interface, models: Iterable[Chosen] = ()) -> Albedos:
     )
 
 
-def coat(interface: Interface, body_albedo: float, theta_i_deg: float | None = None) -> Coat:
+def coat(interface: Interface, body_albedo: float, ray: Incidence | None = None) -> Coat:
     """Split the light that falls on a coat, diffuse or, at an angle, a ray."""
-    ray = None if theta_i_deg is None else Incidence.from_degrees(theta_i_deg)
     split = coat_split(interface, body_albedo, ray)
     shares: dict[str, Any] = {p.name: float(getattr(split, p.name)) for p in fields(split)}
     return Coat(
         interface=InterfaceFacts.of(interface),
         body_albedo=body_albedo,
-        theta_i_deg=theta_i_deg,
+        theta_i_deg=None if ray is None else float(ray.theta_i_deg),
         **shares,
     )
 

@@ -97,7 +97,7 @@ def film_colors(
     media: FilmMedia,
     layer: int,
     thickness_nm: Array,
-    theta_i_deg: Array,
+    incidence: Incidence,
     viewing: Viewing = DAYLIGHT,
     quantity: Quantity = "R",
     models: Sequence[str] = (),
@@ -110,8 +110,8 @@ def film_colors(
         The two media and the layers.
     layer
         Which layer's thickness varies, from 1 at the incident side.
-    thickness_nm, theta_i_deg
-        Thicknesses and angles.
+    thickness_nm, incidence
+        Thicknesses of shape (T,) and directions of shape (A,).
     viewing
         Under which light, by which observer.
     quantity
@@ -125,18 +125,17 @@ def film_colors(
         If there is no such layer, or a medium has no spectrum.
     """
     place = swept_place(media.layers, layer)
-    cells = thickness_nm.size * theta_i_deg.size
+    cells = thickness_nm.size * incidence.cos.size
     refuse_more_than("thickness_nm", thickness_nm.size, cells, "colors")
     incoherent = any(film.incoherent for film in media.layers)
     if incoherent or quantity == "T":
         what = "colors of films with an incoherent layer" if incoherent else "transmitted colors"
         refuse_more_than("thickness_nm", thickness_nm.size, cells, what, MOST_INCOHERENT)
-    spectra = cells if incoherent or quantity == "T" else theta_i_deg.size
+    spectra = cells if incoherent or quantity == "T" else incidence.cos.size
     many = spectra * len(media.layers)
     what = "layers times spectra, one for each angle or cell,"
     refuse_more_than("layers", len(media.layers), many, what, MOST_SPECTRA)
     whole, stack, step, warnings = _sampled(media, place, float(thickness_nm.max()))
-    incidence = Incidence.from_degrees(theta_i_deg)
     colors_of = swept_colors if quantity == "R" else transmitted_colors
     shortcuts = chosen_shortcuts(models, whole, quantity)
     linear = colors_of(stack, place, thickness_nm, incidence, srgb_weights(*viewing), step)
@@ -152,7 +151,7 @@ def film_colors(
         quantity=quantity,
         layer=layer,
         thickness_nm=thickness_nm,
-        theta_i_deg=theta_i_deg,
+        theta_i_deg=incidence.theta_i_deg,
         illuminant=viewing.illuminant,
         observer=viewing.observer,
         adaptation=viewing.adaptation,

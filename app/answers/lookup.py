@@ -1,8 +1,9 @@
 """Tables for a renderer, each with the measured error of reading between its texels."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Annotated, Any
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Annotated, Any, Self
 
 import numpy as np
 
@@ -168,6 +169,15 @@ class Tabulated:
     media: FilmMedia | None = None
     """The media and layers, where R is one of colors."""
 
+    def remembering(self) -> Self:
+        """The same over one coordinate, evaluated once where it is asked for again."""
+
+        @lru_cache(maxsize=8)
+        def found(at: bytes, shape: tuple[int, ...]) -> Array:
+            return self.function(np.frombuffer(at).reshape(shape))
+
+        return replace(self, function=lambda at: found(at.tobytes(), at.shape))
+
     def values(self) -> Array:
         """Evaluate at the texels, of shape (rows, size, channels).
 
@@ -319,8 +329,8 @@ def lookup_table(tabulated: Tabulated, depth: Depth) -> LookupTable:
 def lookup_errors(of_size: Callable[[int], Tabulated]) -> LookupErrors:
     """Measure tables of all sizes and depths, of a function that is tabulated in any size."""
     found: dict[Depth, list[float | None]] = {depth: [] for depth in DEPTHS}
-    for size in SIZES:
-        tabulated = of_size(size)
+    # All of them first: what is refused of the largest is refused before there is any work.
+    for tabulated in [of_size(size).remembering() for size in SIZES]:
         values = tabulated.values()
         for depth, errors in found.items():
             try:

@@ -18,12 +18,12 @@ from app.api.model_parameters import (
     refuse_foreign_parameters,
     with_parameters_of,
 )
-from app.api.params import InterfaceQuery, number
+from app.api.params import InterfaceQuery, RayQuery, number
 from app.http.problems import MissingResource
 from app.http.query import Count, LongQuery, Number, TableQuery
 from app.http.route import QueryRoute
 from app.optics.albedo import BODY_ALBEDO, FITS, Quantity, UnknownFit, find_fit
-from app.optics.parameters import K_T, N_I, N_T, THETA_I_DEG
+from app.optics.parameters import K_T, N_I, N_T
 from app.optics.registry import Registry
 
 # More dielectrics than this take longer than handing them to a thread.
@@ -56,17 +56,10 @@ class AlbedoQuery(AveragedQuery, TableQuery, InterfaceQuery):
         return bool(self.models)
 
 
-class CoatQuery(TableQuery, InterfaceQuery):
+class CoatQuery(RayQuery, TableQuery, InterfaceQuery):
     """A diffuse body under a clear coat of index n_t."""
 
     body_albedo: Number = number(BODY_ALBEDO, examples=[0.5])
-    theta_i_deg: Number | None = Field(
-        None,
-        ge=THETA_I_DEG.minimum,
-        le=THETA_I_DEG.maximum,
-        allow_inf_nan=False,
-        description="Angle of incidence of a ray; diffuse light from everywhere if not given.",
-    )
 
 
 class FitsSweepQuery(TableQuery, InterfaceQuery):
@@ -147,7 +140,7 @@ def router(registry: Registry) -> APIRouter:
 
     @routes.get("/albedo/coat", summary="A diffuse body under a coat")
     def coat(query: Annotated[CoatQuery, Query()]) -> Coat:
-        return split(query.interface(), query.body_albedo, query.theta_i_deg)
+        return split(query.interface(), query.body_albedo, query.ray())
 
     @routes.get("/albedo/sweep", summary="Albedos along n_t, k_t or eta")
     @with_parameters_of(registry)

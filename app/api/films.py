@@ -31,6 +31,7 @@ from app.http.query import Count, DigitsQuery, LongQuery, Number, TableQuery
 from app.http.route import QueryRoute
 from app.materials.films import read_layers
 from app.optics.errors import NotAllowed, OpticsError
+from app.optics.incidence import Incidence
 from app.optics.pane import (
     ABSORPTION_PER_M,
     ASHRAE_B,
@@ -40,7 +41,15 @@ from app.optics.pane import (
     THICKNESS_MM,
     Pane,
 )
-from app.optics.parameters import K_T, N_T, THETA_I_DEG, THICKNESS_NM, Array, Parameter
+from app.optics.parameters import (
+    K_T,
+    N_T,
+    THETA_I_DEG,
+    THETA_I_RAD,
+    THICKNESS_NM,
+    Array,
+    Parameter,
+)
 
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _SWEEP = re.compile(rf"\s*({_NUMBER})\s*\.\.\s*({_NUMBER})\s*:\s*(\d+)\s*")
@@ -155,6 +164,7 @@ def _numbers(parameter: Parameter) -> BeforeValidator:
 
 Thicknesses = Annotated[tuple[float, ...], _numbers(THICKNESS_NM)]
 Angles = Annotated[tuple[float, ...], _numbers(THETA_I_DEG)]
+Radians = Annotated[tuple[float, ...], _numbers(THETA_I_RAD)]
 
 
 def _layer_number(what: str) -> Any:
@@ -179,6 +189,12 @@ class FilmColorQuery(FilmQuery, ColorQuery, TableQuery, LongQuery):
         description=f"Angles of incidence in degrees: {SWEEP}. 0 unless given.",
         examples=["0,45,60"],
     )
+    theta_i_rad: Radians | None = Field(
+        None,
+        description=f"The angles in radians, in place of theta_i_deg: {SWEEP}. The double nearest "
+        "pi/2 counts as 90 degrees.",
+        examples=["0,0.5,1"],
+    )
     samples: Count | None = Field(
         None, ge=2, le=2000, description="Equally spaced angles from 0 to 90 degrees instead."
     )
@@ -199,24 +215,27 @@ class FilmColorQuery(FilmQuery, ColorQuery, TableQuery, LongQuery):
         """Refuse more than an operator lets the server compute at once."""
         super().refuse_beyond(max_samples, max_cells)
         count = len(self.thickness_nm)
-        cells = count * (self.samples or len(self.theta_i_deg or (0.0,)))
+        cells = count * (self.samples or len(self.theta_i_rad or self.theta_i_deg or (0.0,)))
         if cells > max_cells:
             message = f"this server computes at most {max_cells} colors (FRESNEL_MAX_CELLS)"
             raise BadParameters({"parameter": "thickness_nm", "value": count, "message": message})
 
-    def angles_deg(self) -> Array:
-        """The angles.
+    def incidence(self) -> Incidence:
+        """The directions.
 
         Raises
         ------
         NotAllowed
             If they are given twice.
         """
-        if self.samples is None:
-            return np.array(self.theta_i_deg or (0.0,))
-        if self.theta_i_deg is not None:
-            raise NotAllowed("samples", self.samples, "not beside theta_i_deg")
-        return np.linspace(0.0, 90.0, self.samples)
+        given = [name for name in ("theta_i_rad", "theta_i_deg", "samples") if getattr(self, name)]
+        for name in given[1:]:
+            raise NotAllowed(name, getattr(self, name), f"not beside {given[0]}")
+        if self.theta_i_rad is not None:
+            return Incidence.from_radians(self.theta_i_rad)
+        if self.samples is not None:
+            return Incidence.from_degrees(np.linspace(0.0, 90.0, self.samples))
+        return Incidence.from_degrees(self.theta_i_deg or (0.0,))
 
     def shortcuts(self) -> list[str]:
         """Ids of the shortcuts.
@@ -314,7 +333,7 @@ def router() -> APIRouter:
             query.media(),
             query.layer,
             thickness_nm,
-            query.angles_deg(),
+            query.incidence(),
             query.viewing(),
             query.quantity,
             query.shortcuts(),

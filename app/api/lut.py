@@ -61,6 +61,11 @@ class TabulatedQuery(ModelQuery, LayersQuery, LongQuery):
     )
     minimum: Number | None = end("First n_t or k_t; 0.1 or 0 unless given.")
     maximum: Number | None = end("Last n_t or k_t; 5 unless given.")
+    channels: Literal["1", "3"] = Field(
+        "1",
+        description="3 for linear sRGB of a material or of layers: the spectrum integrated under D65 "
+        "at every angle. A model with three values of a parameter has three in any case.",
+    )
 
 
 class LutErrorsQuery(TabulatedQuery):
@@ -85,11 +90,6 @@ class LutQuery(TabulatedQuery):
         description="Depth: 8 or 16 bits as integers from 0 to 1, or 32 bit floats; in OpenEXR 16 "
         "are half floats. 32 unless given, 16 in PNG.",
     )
-    channels: Literal["1", "3"] = Field(
-        "1",
-        description="3 for linear sRGB of a material or of layers: the spectrum integrated under D65 "
-        "at every angle. A model with three values of a parameter has three in any case.",
-    )
     format: Format = Field("json", description="How the table is sent.")
 
 
@@ -102,7 +102,7 @@ def tabulated(query: TabulatedQuery, size: int) -> Tabulated:
         If parameters contradict one another.
     """
     chosen, over = query.chosen(), query.over
-    colored = isinstance(query, LutQuery) and query.channels == "3"
+    colored = query.channels == "3"
     unused = ["minimum", "maximum"] if over == "mu" else []
     unused += [] if "mu," in over else ["rows"]
     for name in unused:

@@ -257,13 +257,20 @@ def refuse_beside(query: QueryModel, preset: str, *numbers: str) -> None:
         raise BadParameters(*errors)
 
 
-class AngleQuery(QueryModel):
-    """One angle of incidence, in degrees or in radians.
+class RayQuery(QueryModel):
+    """An angle of incidence, in degrees or in radians, or none.
 
     Once validated, `theta_i_deg` holds it in degrees.
     """
 
-    theta_i_deg: Number = number(THETA_I_DEG, examples=[64.0])
+    theta_i_deg: Number | None = Field(
+        None,
+        ge=THETA_I_DEG.minimum,
+        le=THETA_I_DEG.maximum,
+        allow_inf_nan=False,
+        description="Angle of incidence of a ray; diffuse light from everywhere if not given.",
+        json_schema_extra={"unit": THETA_I_DEG.unit, "symbol": THETA_I_DEG.symbol},
+    )
     theta_i_rad: Number | None = Field(
         None,
         ge=THETA_I_RAD.minimum,
@@ -277,14 +284,25 @@ class AngleQuery(QueryModel):
     def _one_angle(self) -> Self:
         if self.theta_i_rad is not None:
             refuse_beside(self, "theta_i_rad", "theta_i_deg")
-            object.__setattr__(self, "theta_i_deg", float(self.incidence().theta_i_deg))
+            degrees = float(Incidence.from_radians(self.theta_i_rad).theta_i_deg)
+            object.__setattr__(self, "theta_i_deg", degrees)
         return self
+
+    def ray(self) -> Incidence | None:
+        """The direction, if there is one."""
+        if self.theta_i_rad is not None:
+            return Incidence.from_radians(self.theta_i_rad)
+        return None if self.theta_i_deg is None else Incidence.from_degrees(self.theta_i_deg)
+
+
+class AngleQuery(RayQuery):
+    """One angle of incidence, in degrees or in radians."""
+
+    theta_i_deg: Number = number(THETA_I_DEG, examples=[64.0])
 
     def incidence(self) -> Incidence:
         """The direction."""
-        if self.theta_i_rad is None:
-            return Incidence.from_degrees(self.theta_i_deg)
-        return Incidence.from_radians(self.theta_i_rad)
+        return self.ray() or Incidence.from_degrees(self.theta_i_deg)
 
 
 def equal_samples(default: int) -> Any:

@@ -3,8 +3,6 @@
 import re
 from collections.abc import Collection
 
-import numpy as np
-
 SHORTEST_NM = 10.0
 """Below this a wavelength in nanometers is most likely one in micrometers."""
 
@@ -22,7 +20,6 @@ UNITS = {
     "m": ("nm", 1e9),
     "pm": ("nm", 1e-3),
     "A": ("nm", 0.1),
-    "rad": ("deg", float(np.degrees(1.0))),
 }
 """Units that names may end in, each with ours and what one of it is in ours."""
 

@@ -1,11 +1,13 @@
 """The routes about albedos: numbers, shapes, refusals."""
 
+import math
+
 import numpy as np
 import pytest
 
 from app.optics.albedo import FITS, Fit, albedo, coat_split, flatland_albedo
 from app.optics.interface import Interface
-from tests.api.shape import Ask, json_of, rows_of
+from tests.api.shape import Ask, error_of, json_of, rows_of
 
 
 def test_every_fit_stands_beside_the_exact_value(ask: Ask) -> None:
@@ -250,5 +252,11 @@ def test_coat(ask: Ask) -> None:
     ray = ask("/albedo/coat", n_t=1.5, body_albedo=0.8, theta_i_deg=0).json()
     assert ray["surface"] == pytest.approx(0.04, rel=1e-14)
     assert ray["internal"] == answer["internal"]
+    in_radians = ask("/albedo/coat", n_t=1.5, theta_i_rad=1.0).json()
+    in_degrees = ask("/albedo/coat", n_t=1.5, theta_i_deg=math.degrees(1.0)).json()
+    assert in_radians["theta_i_deg"] == pytest.approx(math.degrees(1.0), rel=1e-15)
+    assert in_radians["surface"] == pytest.approx(in_degrees["surface"], rel=1e-13)
+    both = error_of(ask("/albedo/coat", theta_i_rad=1.0, theta_i_deg=57))
+    assert both["parameter"] == "theta_i_deg"
     (row,) = rows_of(ask("/albedo/coat", n_t=1.5, body_albedo=0.8, format="csv"))
     assert float(row["body"]) == answer["body"]

@@ -1,5 +1,6 @@
 """`/films`: spectra, colors, and thicknesses that reach something."""
 
+import math
 from typing import Any
 
 import numpy as np
@@ -66,6 +67,15 @@ def test_colors_lie_on_a_grid(ask: Ask) -> None:
         for linear, text in zip(row, written, strict=True):
             steps = np.rint(255.0 * encode_srgb(np.clip(linear, 0.0, 1.0)))
             assert text == "#" + "".join(f"{int(step):02x}" for step in steps)
+
+
+def test_colors_at_angles_in_radians(ask: Ask) -> None:
+    query = {"thickness_nm": "250", **SOAP}
+    told = json_of(ask("/films/color", theta_i_rad=f"0,1,{math.pi / 2}", **query))
+    np.testing.assert_allclose(told["theta_i_deg"], [0.0, math.degrees(1.0), 90.0], rtol=1e-15)
+    expected = ask("/films/color", theta_i_deg=f"0,{math.degrees(1.0)},90", **query).json()
+    found, wanted = (answer["colors"][0]["linear_srgb"] for answer in (told, expected))
+    np.testing.assert_allclose(found, wanted, rtol=1e-12)
 
 
 def test_a_color_is_the_integral_of_the_spectrum(ask: Ask) -> None:
@@ -200,6 +210,24 @@ def test_a_wanted_color_is_found_again(ask: Ask) -> None:
             {"layers": "1.33", "thickness_nm": "1", "samples": 3, "theta_i_deg": "1"},
             "samples",
             "not beside theta_i_deg",
+        ),
+        (
+            "/films/color",
+            {"layers": "1.33", "thickness_nm": "1", "samples": 3, "theta_i_rad": "1"},
+            "samples",
+            "not beside theta_i_rad",
+        ),
+        (
+            "/films/color",
+            {"layers": "1.33", "thickness_nm": "1", "theta_i_deg": "60", "theta_i_rad": "1"},
+            "theta_i_deg",
+            "not beside theta_i_rad",
+        ),
+        (
+            "/films/color",
+            {"layers": "1.33", "thickness_nm": "1", "theta_i_rad": "60"},
+            "theta_i_rad",
+            "0 to 1.57",
         ),
         (
             "/films/color",

@@ -15,7 +15,7 @@ from app.optics.albedo import albedo
 from app.optics.incidence import Incidence
 from app.optics.interface import Interface
 from app.optics.registry import default_registry
-from tests.api.shape import Ask, json_of
+from tests.api.shape import Ask, error_of, json_of
 
 Array = NDArray[np.float64]
 
@@ -215,6 +215,33 @@ def test_errors_fall_fourfold_a_doubling_until_the_depth_is_reached(ask: Ask) ->
         assert 0.9 * 0.5 / steps < last < 1.1 * 0.5 / steps
     for size, error in zip(told["sizes"], told["max_abs"]["unorm16"], strict=True):
         assert ask("/lut", size=size, bits=16).json()["error"]["max_abs"] == error
+
+
+@pytest.mark.parametrize(
+    "media",
+    [{"material": "Au"}, {"material": "BK7", "layers": "MgF2:99.6"}],
+    ids=["a material", "a film"],
+)
+def test_errors_of_tables_of_colors_are_those_of_the_tables(
+    ask: Ask, media: dict[str, str]
+) -> None:
+    told = json_of(ask("/lut/errors", channels=3, **media))
+    assert told["quantity"] == "R in linear sRGB"
+    assert told["max_abs"] != ask("/lut/errors", **media).json()["max_abs"]
+    for size, bits, depth in ((4, 32, "float"), (256, 16, "unorm16"), (512, 8, "unorm8")):
+        error = told["max_abs"][depth][told["sizes"].index(size)]
+        if error is None:  # a channel below 0, which no integer holds
+            assert ask("/lut", channels=3, size=size, bits=bits, **media).status_code == 422
+            continue
+        table = ask("/lut", channels=3, size=size, bits=bits, **media).json()
+        assert table["error"]["max_abs"] == error
+
+
+def test_errors_of_colors_of_many_layers_are_refused(ask: Ask) -> None:
+    error = error_of(ask("/lut/errors", channels=3, layers="1.38:100,2:100,1.38:90,2:90"))
+    assert error["parameter"] == "layers"
+    assert "at most 3 layers" in error["message"]
+    assert error_of(ask("/lut/errors", channels=3))["parameter"] == "channels"
 
 
 def test_errors_of_values_that_no_integer_holds_are_null(ask: Ask) -> None:

@@ -103,11 +103,6 @@ def test_a_name_that_ends_in_another_unit_is_told_the_factor(
     assert error_of(ask("/snell", **{name: value}))["message"].endswith(message)
 
 
-def test_radians_where_there_are_but_degrees(ask: Ask) -> None:
-    told = error_of(ask("/albedo/coat", theta_i_rad="0.5"))["message"]
-    assert told.endswith("theta_i_rad times 57.29577951: theta_i_deg = 28.64788976")
-
-
 def test_a_wavelength_out_of_range_names_the_measurements_that_cover_it(ask: Ask) -> None:
     query = {"material": "water", "wavelength_nm": "10600"}
     told = (
