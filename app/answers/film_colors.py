@@ -161,8 +161,10 @@ def film_colors(
     )
 
 
-def seen_over_angle(media: FilmMedia) -> tuple[Callable[[Incidence], Array], list[str]]:
-    """What gives the colors of films in daylight at directions of shape (A,), and what has to be said.
+def seen_over_angle(media: FilmMedia) -> tuple[Callable[[Incidence], Array], int, list[str]]:
+    """What gives colors of films in daylight at directions of shape (A,), of how many wavelengths.
+
+    Last is what has to be said of them.
 
     Raises
     ------
@@ -182,7 +184,7 @@ def seen_over_angle(media: FilmMedia) -> tuple[Callable[[Incidence], Array], lis
             found[some] = reflected_colors(stack, part, weights)
         return found
 
-    return colors, warnings
+    return colors, len(weights), warnings
 
 
 def _sampled(

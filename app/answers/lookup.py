@@ -31,6 +31,9 @@ MOST_TEXELS = 4096
 MOST_LAYERS_OF_COLORS = 50
 """In a table of colors, whose error wants a whole spectrum at thousands of angles."""
 
+_MOST_WAVELENGTHS = 500
+"""Times layers, of errors of tables of colors of all sizes: seconds of work."""
+
 _FEW_TEXELS = 256
 """Beyond these the error wants more angles."""
 
@@ -168,6 +171,8 @@ class Tabulated:
     """The boundary with layers on it, where there are any, at one wavelength."""
     media: FilmMedia | None = None
     """The media and layers, where R is one of colors."""
+    work: int = 1
+    """Wavelengths times layers behind each value."""
 
     def remembering(self) -> Self:
         """The same over one coordinate, evaluated once where it is asked for again."""
@@ -243,7 +248,7 @@ def film_color_over_mu(media: FilmMedia, interface: Interface, size: int) -> Tab
     most = MOST_LAYERS_OF_COLORS * _FEW_TEXELS // max(size, _FEW_TEXELS)
     what = f"layers over {size} texels in color"
     refuse_more_than("layers", len(media.layers), len(media.layers), what, most)
-    colors, warnings = seen_over_angle(media)
+    colors, wavelengths, warnings = seen_over_angle(media)
 
     def values(mu: Array) -> Array:
         found = colors(Incidence.from_cosine(mu.ravel()))
@@ -251,7 +256,8 @@ def film_color_over_mu(media: FilmMedia, interface: Interface, size: int) -> Tab
 
     axes = (_mu(size),)
     told = tuple(warnings)
-    return Tabulated("exact", "R in linear sRGB", interface, axes, values, told, media=media)
+    work = wavelengths * len(media.layers)
+    return Tabulated("exact", "R in linear sRGB", interface, axes, values, told, None, media, work)
 
 
 def albedo_over_index(chosen: Chosen, fixed: Interface, axis: Axis) -> Tabulated:
@@ -330,7 +336,10 @@ def lookup_errors(of_size: Callable[[int], Tabulated]) -> LookupErrors:
     """Measure tables of all sizes and depths, of a function that is tabulated in any size."""
     found: dict[Depth, list[float | None]] = {depth: [] for depth in DEPTHS}
     # All of them first: what is refused of the largest is refused before there is any work.
-    for tabulated in [of_size(size).remembering() for size in SIZES]:
+    tables = [of_size(size).remembering() for size in SIZES]
+    what = "layers times wavelengths, of which a thick layer wants more,"
+    refuse_more_than("layers", tables[0].work, tables[0].work, what, _MOST_WAVELENGTHS)
+    for tabulated in tables:
         values = tabulated.values()
         for depth, errors in found.items():
             try:

@@ -241,6 +241,8 @@ def test_errors_of_colors_of_many_layers_are_refused(ask: Ask) -> None:
     error = error_of(ask("/lut/errors", channels=3, layers="1.38:100,2:100,1.38:90,2:90"))
     assert error["parameter"] == "layers"
     assert "at most 3 layers" in error["message"]
+    error = error_of(ask("/lut/errors", channels=3, layers="1.38:3000,2:3000"))
+    assert error["message"].startswith("at most 500 layers times wavelengths")
     assert error_of(ask("/lut/errors", channels=3))["parameter"] == "channels"
 
 
