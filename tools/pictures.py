@@ -37,6 +37,13 @@ PICTURES: tuple[tuple[str, Literal["light", "dark"], str, str], ...] = (
     ("materials.png", "light", "/?view=materials&material=Cu", MAP),
     ("theory-light.png", "light", "/?view=theory&step=below&own_deg=40", CURVES),
     ("theory-dark.png", "dark", "/?view=theory&step=below&own_deg=40", CURVES),
+    (
+        "films.png",
+        "light",
+        "/?view=films&material=water&layers=1.47:280&theta_i_deg=30&film_model=gltf_iridescence",
+        CURVES,
+    ),
+    ("engines.png", "light", "/?view=engines&measured=chromium", CURVES),
     ("preview.png", "light", "/?view=preview&split=0.46", SCENE),
 )
 
