@@ -29,7 +29,8 @@ def refractive_index(number: int, coefficients: Sequence[float], wavelength_um: 
     number
         1 to 9.
     coefficients
-        As many as the source gives: whole terms, of which the formula may have fewer than it could.
+        As many as the source gives, in whole terms; of formula 4 both poles are given, with an
+        amplitude of 0 where there is none.
     wavelength_um
         Any shape.
 
@@ -97,7 +98,7 @@ def _general(c: Sequence[float], wl: Array) -> Array:
     square = wl * wl
     total = c[0] + _powers(c, wl, first=9)
     for first in (1, 5):
-        amplitude, power, base, exponent = _padded(c[first:], 4)
+        amplitude, power, base, exponent = c[first : first + 4]
         if amplitude:
             total = total + amplitude * wl**power / (square - base**exponent)
     return np.sqrt(total)
@@ -136,7 +137,7 @@ def _exotic(c: Sequence[float], wl: Array) -> Array:
 _MOST = 101
 _IN_PAIRS = (range(1, _MOST, 2), "an odd number")
 _COUNTS: dict[int, tuple[Sequence[int], str]] = {
-    4: ((1, 5, *range(9, _MOST, 2)), "1, 5, or an odd number from 9"),
+    4: (range(9, _MOST, 2), "an odd number from 9"),
     7: (range(3, 7), "3 to 6"),
     8: ((4,), "4"),
     9: ((6,), "6"),

@@ -246,7 +246,9 @@ def _n_and_k(table: Table, sign: Sign, notes: Notes) -> tuple[Array | None, Arra
         absorption = _without_noise(name, turn * absorption, table.lines, notes)
     if "eps1" in columns:
         eps2 = np.zeros_like(columns["eps1"]) if absorption is None else absorption
-        N = np.sqrt(columns["eps1"] + 1j * eps2)
+        epsilon = columns["eps1"].astype(np.complex128)
+        epsilon.imag = eps2  # 1j * eps2 is no number where eps2 is infinite
+        N = np.sqrt(epsilon)
         return N.real, None if absorption is None else N.imag
     n = 1.0 - columns["delta"] if "delta" in columns else columns.get("n")
     return n, absorption

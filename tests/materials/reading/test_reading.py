@@ -456,7 +456,7 @@ def test_both_readings_are_told_with_their_ranges() -> None:
 
 REFUSED = [
     ("rii-short-formula-2.yml", "an odd number for formula 2"),
-    ("rii-formula-4.yml", "1, 5, or an odd number from 9"),
+    ("rii-formula-4.yml", "an odd number from 9"),
     ("rii-n2.yml", "nonlinear index n2"),
     ("sopra-short.nk", "3 pairs for 2 intervals; there are 2"),
     ("Xx.k.spd", "the file of eta"),
@@ -573,6 +573,12 @@ def test_columns_as_programs_name_and_quote_them(text: str) -> None:
     found = table(text)
     assert points(found.n) == [(400.0, 1.5), (500.0, 1.6)]
     assert points(found.k) == [(400.0, 0.1), (500.0, 0.2)]
+
+
+def test_a_permittivity_that_is_infinite_is_left_out() -> None:
+    found = table("E (eV),eps1,eps2\n1,-40,0.5\n2,-9,inf\n3,-1,2\n")
+    assert [(row.line, row.why[:8]) for row in found.left_out] == [(3, "n = inf ")]
+    assert len(points(found.n)) == len(points(found.k)) == 2
 
 
 def test_columns_that_are_not_used_are_told() -> None:
