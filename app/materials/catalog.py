@@ -112,7 +112,9 @@ class Catalog:
     ) -> tuple[Preset, ...]:
         """Return the presets of a category that a query fits, best first; all without either."""
         among = self.presets if category is None else self._by_category.get(category, ())
-        return tuple(matches(among, query)) if query and query.strip() else among
+        if not query or not query.strip():
+            return among
+        return tuple(preset for _, preset in matches(among, query))
 
     def nearest(self, query: str, count: int = 5) -> tuple[str, ...]:
         """Return the ids whose names resemble a query most, for when nothing fits it.

@@ -1,6 +1,7 @@
 """Pages of refractiveindex.info wherever a material is taken."""
 
 import asyncio
+import re
 from typing import Any
 from urllib.parse import quote
 
@@ -126,6 +127,40 @@ def test_the_first_load_has_no_pages(ask: Ask) -> None:
     rows = json_of(ask("/materials"))["materials"]
     assert len(rows) == 192
     assert all(row["page"] is None for row in rows)
+
+
+def _found(ask: Ask, query: str) -> list[dict[str, Any]]:
+    return list(json_of(ask("/materials", q=query, limit=1000))["materials"])
+
+
+def test_words_come_before_parts_of_words(ask: Ask) -> None:
+    """Tin is inside setting and Tselin, and is the name of a metal that is no preset."""
+    for word in ("tin", "TIN"):
+        rows = _found(ask, word)
+        assert [row["page"]["book"] for row in rows[:3]] == ["Sn"] * 3
+        ids = [row["id"] for row in rows]
+        assert ids[3:5] == ["TiN", "TiN-Pfluger"]
+        oxide = [i for i, row in enumerate(rows) if "Indium tin oxide" in row["name"]]
+        assert oxide
+        assert max(oxide) < ids.index("Pt-Tselin")
+    assert _found(ask, "TiN")[0]["id"] == "TiN"
+    assert [row["id"] for row in _found(ask, "CO")[:2]] == ["rii:main/CO/Smith", "Co"]
+    assert _found(ask, "co")[0]["id"] == "Co"
+
+
+@pytest.mark.parametrize("word", ["ice", "gold", "glass", "oil", "Johnson"])
+def test_presets_that_have_the_word_come_before_pages(ask: Ask, word: str) -> None:
+    rows = _found(ask, word)
+    start = re.compile(rf"\b{word}", re.IGNORECASE)
+    has_it = [
+        bool(start.search(" ".join([row["id"], row["name"], *row["aliases"], row["source"]])))
+        for row in rows
+        if row["page"] is None
+    ]
+    count = sum(has_it)
+    assert count
+    assert has_it == [True] * count + [False] * (len(has_it) - count)
+    assert all(row["page"] is None for row in rows[:count])
 
 
 def test_offset_and_limit_go_on_from_presets_to_pages(ask: Ask) -> None:

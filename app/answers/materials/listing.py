@@ -12,6 +12,7 @@ from app.materials.media import default_catalog
 from app.materials.published.index import ListedPage, default_pages
 from app.materials.published.search import fitting
 from app.materials.schema import Category, Channels, Database, Preset
+from app.materials.search import Fit, matches
 from app.optics.color import Gamut, apply_gamut, srgb_hex
 from app.optics.parameters import Array
 
@@ -51,7 +52,11 @@ class RefusedPage:
 
 @answer
 class Materials:
-    """Presets, some of those that the query fits: curated ones before pages of refractiveindex.info."""
+    """Some of the materials that the query fits: words come before parts of words.
+
+    Of both, curated presets come before pages of refractiveindex.info, but for pages that alone are
+    called so.
+    """
 
     materials: list[Material | ChosenFields]
     total: int
@@ -100,22 +105,26 @@ def materials(
         What to tell of each, by name; all unless given.
     """
     presets = default_catalog()
-    curated: list[Preset] = []
-    pages: list[ListedPage] = []
+    word = q.strip() if q else ""
+    curated: list[tuple[Fit, Preset]] = []
+    pages: list[tuple[Fit, ListedPage]] = []
     if catalog != "pages":
-        curated = [p for p in presets.search(q, category) if kind in (None, p.kind)]
-    if kind != "single" and (catalog == "pages" or (catalog is None and q and q.strip())):
+        among = presets.search(None, category)
+        found = matches(among, word) if word else [(Fit.NAME, preset) for preset in among]
+        curated = [(fit, preset) for fit, preset in found if kind in (None, preset.kind)]
+    if kind != "single" and (catalog == "pages" or (catalog is None and word)):
         listed = default_pages().all
-        found = fitting(listed, q) if q and q.strip() else listed
-        pages = [page for page in found if category in (None, page.category)]
-    taken = [page for page in pages if page.refused is None]
-    end = offset + (len(curated) + MOST_PAGES if limit is None else limit)
-    chosen = curated[offset:end]
-    chosen += default_pages().presets(
-        taken[max(0, offset - len(curated)) : max(0, end - len(curated))]
-    )
-    rows = [Material(**vars(preset), swatch=_swatch(preset.color.F0, gamut)) for preset in chosen]
+        those = fitting(listed, word) if word else [(Fit.NAME, page) for page in listed]
+        pages = [(fit, page) for fit, page in those if category in (None, page.category)]
+    taken = [(fit, page) for fit, page in pages if page.refused is None]
     total = len(curated) + len(taken)
+    if limit is None:
+        taken = taken[: offset + MOST_PAGES]
+    end = None if limit is None else offset + limit
+    rows = [
+        Material(**vars(preset), swatch=_swatch(preset.color.F0, gamut))
+        for preset in _presets(_merged(curated, taken)[offset:end])
+    ]
     return Materials(
         materials=[
             row if fields is None else {name: getattr(row, name) for name in fields} for row in rows
@@ -124,7 +133,7 @@ def materials(
         curated=len(curated),
         refused=[
             RefusedPage(id=page.id, title=page.title, why=page.refused)
-            for page in pages
+            for _, page in pages
             if page.refused is not None
         ],
         offset=offset,
@@ -133,6 +142,24 @@ def materials(
         categories={name: len(presets.search(None, name)) for name in presets.categories},
         database=presets.database,
     )
+
+
+def _merged(
+    curated: Sequence[tuple[Fit, Preset]], pages: Sequence[tuple[Fit, ListedPage]]
+) -> list[Preset | ListedPage]:
+    """Presets before pages, but for what is said at `Materials`."""
+    led = Fit.NAME if curated and curated[0][0] is Fit.NAME else Fit.WORD
+    ranked: list[tuple[Fit, int, Preset | ListedPage]] = [
+        *((led if fit < Fit.PART else fit, 0, preset) for fit, preset in curated),
+        *((fit, 1, page) for fit, page in pages),
+    ]
+    return [one for *_, one in sorted(ranked, key=lambda entry: entry[:2])]
+
+
+def _presets(found: Sequence[Preset | ListedPage]) -> list[Preset]:
+    """Read the presets of pages among those that are."""
+    pages = iter(default_pages().presets(one for one in found if isinstance(one, ListedPage)))
+    return [next(pages) if isinstance(one, ListedPage) else one for one in found]
 
 
 @lru_cache(maxsize=2048)  # every preset by every policy

@@ -60,8 +60,8 @@ class ListQuery(DigitsQuery):
     catalog: Collected | None = Field(
         None,
         description="`curated`: only our presets; `pages`: only pages of refractiveindex.info, each "
-        "under `page` with its shelf, book and page. With `q` both unless given, ours first; without, "
-        "ours.",
+        "under `page` with its shelf, book and page. With `q` both unless given, ours first unless the "
+        "page alone is called so, or has it as a word; without, ours.",
     )
     offset: Count = Field(0, ge=0, le=100_000, description="How many to leave out at the start.")
     limit: Count | None = Field(
