@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { matching } from "../../static/js/controls/picker.js";
+import { inTurn, matching } from "../../static/js/controls/picker.js";
 import { sentence, spread } from "../../static/js/explore/dispersion.js";
 import {
   createConstants,
@@ -55,6 +55,30 @@ test("a medium is found by name, formula, word, category, and in spite of a typo
   assert.deepEqual(ids("xyzzyx"), []);
   assert.equal(ids("").length, MEDIA.length);
   assert.equal(distance("dimond", "diamond"), 1);
+});
+
+test("a word comes before a part of a word, and pages that alone are called so come first", () => {
+  const setting = { name: "Platinum", source: "Setting of constants" };
+  const media = [medium("Pt", setting), medium("TiN", { name: "Titanium nitride" })];
+  const page = (/** @type {string} */ path, name = path) => medium(`rii:main/${path}`, { name });
+  const pages = [page("Sn/A", "Sn (Tin), A"), page("ITO/B", "Indium tin oxide"), page("Xe/Martin")];
+  const runs = inTurn(media, pages, 1, "tin").map(({ name, rows }) => [
+    name,
+    rows.map((m) => m.id),
+  ]);
+  assert.deepEqual(runs, [
+    ["refractiveindex.info", ["rii:main/Sn/A"]],
+    ["Other media", ["TiN"]],
+    ["refractiveindex.info", ["rii:main/ITO/B"]],
+    ["Inside other words", ["Pt"]],
+    ["refractiveindex.info", ["rii:main/Xe/Martin"]],
+  ]);
+  const before = inTurn(media, [], 0, "tin").map(({ name, rows }) => [name, rows.length]);
+  assert.deepEqual(before.slice(1, 4), [
+    [null, 1],
+    ["refractiveindex.info", 0],
+    [null, 1],
+  ]);
 });
 
 test("a medium is found by its other names and its authors once they are known", () => {

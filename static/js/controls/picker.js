@@ -17,31 +17,48 @@ const PAGES = "refractiveindex.info";
 const OWN = { id: "own", name: "Your own…", category: "your own" };
 let pickers = 0;
 
+/** From this rank on what was typed is inside a word alone. */
+const PART = 6;
+const LETTER = /[\p{L}\p{N}]/u;
+
+/** Whether a word of a text begins so. @param {string} text @param {string} asked */
+function begins(text, asked) {
+  for (let at = text.indexOf(asked); at >= 0; at = text.indexOf(asked, at + 1))
+    if (!LETTER.test(text.charAt(at - 1))) return true;
+  return false;
+}
+
 /**
- * Media by what was typed: names and ids that begin so, then words and other names, then what holds it
- * anywhere, then authors, and where nothing does what is spelled nearly so.
+ * Media by what was typed, those that have it as a word and those that have it inside one: names and ids
+ * that begin so, then words and other names, then authors; where nothing does, what is spelled nearly so.
  * @template {Pick<Material, 'id' | 'name' | 'category' | 'aliases' | 'source'>} M
  * @param {readonly M[]} materials
  * @param {string} text
- * @returns {M[]}
+ * @returns {{words: M[], parts: M[]}}
  */
-export function matching(materials, text) {
+export function sorted(materials, text) {
   const asked = text.trim().toLowerCase();
-  if (asked === "") return [...materials];
+  if (asked === "") return { words: [...materials], parts: [] };
   /** @param {M} material */
   const rank = ({ id, name, category, aliases = [], source = "" }) => {
     const [own, called] = [id.toLowerCase(), name.toLowerCase()];
     if (own === asked || called === asked) return 0;
     if (called.startsWith(asked)) return 1;
     if (own.startsWith(asked)) return 2;
-    const words = [...called.split(/[\s,()]+/), ...aliases.map((alias) => alias.toLowerCase())];
-    if (words.some((word) => word.startsWith(asked))) return 3;
-    if (asked.length > 2 && (called.includes(asked) || own.includes(asked))) return 4;
-    if (category.startsWith(asked)) return 5;
-    return asked.length > 2 && source.toLowerCase().includes(asked) ? 6 : 9;
+    const names = [called, own, ...aliases.map((alias) => alias.toLowerCase())];
+    if (names.some((one) => begins(one, asked))) return 3;
+    if (category.startsWith(asked)) return 4;
+    if (asked.length < 3) return 9;
+    const paper = source.toLowerCase();
+    if (begins(paper, asked)) return 5;
+    if (called.includes(asked) || own.includes(asked)) return PART;
+    return paper.includes(asked) ? PART + 1 : 9;
   };
   const ranked = materials.map((m) => ({ m, rank: rank(m) })).filter((r) => r.rank < 9);
-  if (ranked.length > 0) return ranked.sort((a, b) => a.rank - b.rank).map((r) => r.m);
+  ranked.sort((a, b) => a.rank - b.rank);
+  /** @param {boolean} inside */
+  const those = (inside) => ranked.filter((r) => r.rank >= PART === inside).map(({ m }) => m);
+  if (ranked.length > 0) return { words: those(false), parts: those(true) };
   const slips = asked.length < LEAST_WORD ? 0 : asked.length < LONG_WORD ? 1 : 2;
   const near = materials
     .map((m) => {
@@ -51,7 +68,45 @@ export function matching(materials, text) {
       return { m, far: Math.min(...words.map((word) => distance(asked, word))) };
     })
     .filter(({ far }) => far <= slips);
-  return near.sort((a, b) => a.far - b.far).map(({ m }) => m);
+  return { words: near.sort((a, b) => a.far - b.far).map(({ m }) => m), parts: [] };
+}
+
+/**
+ * The same in one list.
+ * @template {Pick<Material, 'id' | 'name' | 'category' | 'aliases' | 'source'>} M
+ * @param {readonly M[]} materials
+ * @param {string} text
+ */
+export function matching(materials, text) {
+  const { words, parts } = sorted(materials, text);
+  return [...words, ...parts];
+}
+
+/**
+ * What the page has, and pages of refractiveindex.info in the order of their answer: words before parts
+ * of words, and each time pages last, but for those that lead. What follows pages has a name.
+ * @param {readonly Material[]} materials
+ * @param {readonly Material[]} pages
+ * @param {number} leading
+ * @param {string} text
+ * @returns {{name: string | null, rows: Material[]}[]}
+ */
+export function inTurn(materials, pages, leading, text) {
+  const { words, parts } = sorted(materials, text);
+  const known = new Set([...words, ...parts].map(({ id }) => id));
+  /** @param {readonly Material[]} rows */
+  const others = (rows) => rows.filter(({ id }) => !known.has(id));
+  const led = others(pages.slice(0, leading));
+  const rest = others(pages.slice(leading));
+  const worded = new Set(sorted(rest, text).words);
+  const after = rest.filter((page) => worded.has(page));
+  return [
+    { name: PAGES, rows: led },
+    { name: led.length ? "Other media" : null, rows: words },
+    { name: PAGES, rows: after },
+    { name: led.length + after.length ? "Inside other words" : null, rows: parts },
+    { name: PAGES, rows: rest.filter((page) => !worded.has(page)) },
+  ];
 }
 
 /** @param {string} word */
@@ -93,19 +148,19 @@ export async function createList({
   let active = -1;
   /** Whether the line was chosen by keys; else it is the best match, whichever that is. */
   let moved = false;
-  /** Pages that fit what was typed, and what that is. @type {{text: string, rows: Material[]}} */
-  let pages = { text: "", rows: [] };
+  /** Pages that fit what was typed, and what that is. @type {{text: string, rows: Material[], leading: number}} */
+  let pages = { text: "", rows: [], leading: 0 };
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let searching;
 
-  /** Pages come after what the page has, and later. @param {string} text */
+  /** Pages come later. @param {string} text */
   function search(text) {
     clearTimeout(searching);
     if (text.trim() === "" || text === pages.text) return;
     searching = setTimeout(async () => {
-      const rows = await findPages(text).catch(() => []);
+      const { rows, leading } = await findPages(text).catch(() => ({ rows: [], leading: 0 }));
       if (!list || input.value !== text) return;
-      pages = { text, rows };
+      pages = { text, rows, leading };
       renew();
     }, PAUSE);
   }
@@ -144,10 +199,9 @@ export async function createList({
 
   /** @param {string} text what is searched for; everything, in groups, where it is empty */
   function open(text) {
-    const known = matching(materials, text);
-    const more = pages.text === text ? pages.rows : [];
-    const others = more.filter(({ id }) => !known.some((m) => m.id === id));
-    const all = [...known, ...others, OWN];
+    const { rows: listed, leading } = pages.text === text ? pages : { rows: [], leading: 0 };
+    const runs = inTurn(materials, listed, leading, text);
+    const all = [...runs.flatMap(({ rows }) => rows), OWN];
     const names = text.trim() === "" ? [...new Set(all.map(groupOf))] : [];
     found = names.length ? names.flatMap((name) => all.filter((m) => groupOf(m) === name)) : all;
     search(text);
@@ -183,10 +237,12 @@ export async function createList({
       );
     });
     list.replaceChildren(...(names.length ? rows : found.map(option)));
-    if (others.length)
-      list
-        .querySelector(`[data-index="${known.length}"]`)
-        ?.before(h("li.media-group", { role: "presentation" }, PAGES));
+    let at = 0;
+    for (const { name, rows } of names.length ? [] : runs) {
+      const first = list.querySelector(`[data-index="${at}"]`);
+      if (name && rows.length) first?.before(h("li.media-group", { role: "presentation" }, name));
+      at += rows.length;
+    }
     if (found.length === 1) list.prepend(h("li.media-group", { role: "presentation" }, "no match"));
     if (text.trim() === "") activate(found.findIndex((m) => m.id === chosen()));
     else activate(found.length > 1 ? 0 : -1);

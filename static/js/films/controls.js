@@ -121,8 +121,8 @@ export function createControls({ catalog, presets, state, actions, describeMedia
     if (text === "" || Number(text) > 0 || isPage(text)) return;
     offering = setTimeout(async () => {
       const known = new Set([...names.options].map(({ value }) => value));
-      const found = await findPages(text).catch(() => []);
-      for (const { id, name } of found)
+      const { rows } = await findPages(text).catch(() => ({ rows: [] }));
+      for (const { id, name } of rows)
         if (!known.has(id)) names.append(h("option", { value: id }, name));
     }, PAUSE);
   }

@@ -8,7 +8,7 @@ const FIELDS = [
 ];
 /** What tables show besides. */
 const SHOWN = [...FIELDS, "n_min", "n_max", "confidence", "sample", "color", "swatch", "page"];
-const MOST_FOUND = 40;
+const MOST_FOUND = 60;
 
 /** @param {string} id */
 export const isPage = (id) => id.startsWith("rii:");
@@ -16,12 +16,18 @@ export const isPage = (id) => id.startsWith("rii:");
 /** Shelf, book and page. @param {string} id */
 export const pathOf = (id) => id.slice(4);
 
-/** @param {string} text @returns {Promise<Material[]>} */
+/**
+ * Pages that a text fits, best first, and how many of them come before all presets, as those of tin.
+ * @param {string} text
+ * @returns {Promise<{rows: Material[], leading: number}>}
+ */
 export async function findPages(text) {
   const fields = `fields=${FIELDS.join(",")}`;
   const q = encodeURIComponent(text.trim().slice(0, 100));
-  const { materials } = await load(`/materials?catalog=pages&limit=${MOST_FOUND}&${fields}&q=${q}`);
-  return materials;
+  const { materials } = await load(`/materials?limit=${MOST_FOUND}&${fields}&q=${q}`);
+  const leading = materials.findIndex((/** @type {Material} */ { id }) => !isPage(id));
+  const rows = materials.filter((/** @type {Material} */ { id }) => isPage(id));
+  return { rows, leading: Math.max(leading, 0) };
 }
 
 /** What the list has of a medium. @param {string} id @returns {Promise<Material>} */
