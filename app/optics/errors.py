@@ -44,7 +44,8 @@ class UnknownName(OpticsError):
     def __init__(self, parameter: str, value: str, known: Iterable[str]) -> None:
         names = sorted(known)
         self.nearest = get_close_matches(value.lower(), names, n=3, cutoff=0.5)
-        hint = f"nearest: {', '.join(self.nearest)}" if self.nearest else f"one of {names}"
+        one_of = f"one of {', '.join(names)}"
+        hint = f"nearest: {', '.join(self.nearest)}" if self.nearest else one_of
         super().__init__(parameter, value, hint)
 
 

@@ -417,8 +417,7 @@ def test_films_are_put_on_and_a_shortcut_beside_them(quiet_page: Page) -> None:
     thickness = page.get_by_label("thickness in nm, value")
     thickness.fill("120")
     thickness.press("Enter")
-    rested(page)
-    assert link(page)["layers"] == "1.3:120"
+    expect(page).to_have_url(re.compile(r"layers=1\.3%3A120"))
     page.goto("/?view=preview&layers=1.3:100,2.4:50&right=film.gltf_iridescence")
     expect(page.locator(".side-choice .reason").last).to_contain_text("a stack of several")
 
@@ -428,6 +427,36 @@ def test_what_is_not_known_of_a_film_is_said(quiet_page: Page) -> None:
     expect(page.locator(".film-on .reason")).to_have_text("water: k is not known and counts as 0")
     chosen = page.get_by_label("Film on the surface").locator("option:checked")
     expect(chosen).to_have_text("2 layers, d of the first")
+
+
+@pytest.mark.parametrize(
+    ("query", "told", "way_back", "after"),
+    [
+        ("&layers=unobtanium:100", "layers = unobtanium", "Take the film away", {}),
+        (
+            "&layers=1.38:100&left=film.cycles_film&right=film.nonsense",
+            "models = nonsense: one of cycles_film, gltf_iridescence",
+            "Show a model in its place",
+            {"layers": "1.38:100", "left": "film.cycles_film"},
+        ),
+    ],
+    ids=["medium", "shortcut"],
+)
+def test_what_a_link_names_but_nobody_knows_is_said_with_the_way_back(
+    page: Page, query: str, told: str, way_back: str, after: dict[str, str]
+) -> None:
+    page.goto(f"/?view=preview{query}")
+    expect(page.get_by_role("alert").filter(has_text=told)).to_be_visible()
+    expect(page.locator(".scene-frame")).to_be_hidden()
+    page.get_by_role("button", name=way_back).click()
+    rested(page)
+    expect(page.locator(".scene-frame")).to_be_visible()
+    assert link(page) == {"view": "preview", **after}
+    expect(page.get_by_role("button", name=way_back)).to_be_hidden()
+    # What was drawn before stays above what cannot be drawn.
+    page.go_back()
+    expect(page.get_by_role("alert").filter(has_text=told)).to_be_visible()
+    expect(page.locator(".scene-frame")).to_be_visible()
 
 
 def test_films_leads_to_the_ball(quiet_page: Page) -> None:

@@ -1,6 +1,9 @@
 /** What went wrong with one figure, said where it stands, and the way back. */
 
 import { h, setText } from "./dom.js";
+import { loadStyle } from "./style.js";
+
+await loadStyle("css/trouble.css");
 
 /** @typedef {{title: string, lines: string[]}} Problem */
 

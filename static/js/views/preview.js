@@ -7,6 +7,7 @@ import { createChanged } from "../page/changed.js";
 import { copying, h } from "../page/dom.js";
 import { html, render } from "../page/lit.js";
 import { loadStyle } from "../page/style.js";
+import { createProblems, createTrouble } from "../page/trouble.js";
 import { createControls } from "../preview/controls.js";
 import { amplification, verdictOf } from "../preview/difference.js";
 import { EXAMPLES, isShown } from "../preview/examples.js";
@@ -39,6 +40,9 @@ const FIGURES = /** @type {const} */ ([
   ["colors", "mean", "mean ΔE₀₀"],
   ["colors", "largest", "largest ΔE₀₀"],
 ]);
+/** What the server says of the film itself, not that it has no time or is not there. */
+const OF_FILM = /^(?:layers|models|thickness_nm) = /u;
+const OF_SHORTCUT = /^models = (\w+)/u;
 const NO_WEBGL = html`<p class="no-webgl" role="status"><b>This browser draws no WebGL2 here.</b>
   The scene needs it, with textures of floating-point numbers: try another browser, or allow
   hardware acceleration. The Compare view shows the same curves and their errors.</p>`;
@@ -68,6 +72,20 @@ export function createView(given) {
   });
   const stage = createStage({ ...context, onMeasured: show });
   const takeaway = createTakeaway(context);
+  const problems = createProblems(["film", "through"]);
+  /** The shortcut that the server does not know. */
+  let unknown = "";
+  /** Models in place of shortcuts for films. @param {(id: string) => boolean} goes */
+  const without = (goes) => {
+    const { left, right } = given.state();
+    return { ...(goes(left) && { left: "exact" }), ...(goes(right ?? "") && { right: null }) };
+  };
+  const ofFilm = createTrouble("Take the film away", () =>
+    actions.set({ layers: "", ...without(isShortcut) }),
+  );
+  const ofShortcut = createTrouble("Show a model in its place", () =>
+    actions.set(without((id) => id === unknown)),
+  );
   const choices = createChoices(actions, {
     see: ["What is shown", Object.fromEntries(SEEN.map((word) => [word, word]))],
   });
@@ -113,6 +131,7 @@ export function createView(given) {
           <button type="button" class="quiet" aria-label="Save the picture as PNG"
             @click=${() => stage.export(`fresnel-preview-${left}-${right}.png`)}>PNG</button>
         </div>
+        ${ofFilm.element}${ofShortcut.element}
         ${stage.works ? stage.element : NO_WEBGL}
         <p class="reason" role="status" ?hidden=${see !== "difference"}>${amplified(factor)}
           <button type="button" class="quiet" aria-pressed=${given.state().gain === null}
@@ -188,12 +207,30 @@ export function createView(given) {
 
   const changed = createChanged();
   let drawn = false;
+  /** @type {Record<string, any>} */
+  let answered = {};
+
+  /** Say what is wrong with the film in place of a picture, or above the last good one. */
+  function sayTrouble() {
+    const problem = Object.keys(queries(state(), catalog))
+      .map((name) => problems.of(name, answered))
+      .find(Boolean);
+    const [, named] = OF_SHORTCUT.exec(problem?.lines[0] ?? "") ?? [];
+    unknown = `${SHORTCUT}${named}`;
+    ofFilm.update(named ? undefined : problem, true);
+    ofShortcut.update(named ? problem : undefined, true);
+    stage.element.hidden = problem !== undefined && !drawn;
+  }
 
   return {
     /** @param {State} next @param {Record<string, any>} answers @param {boolean} moving */
     update(next, answers, moving) {
       const now = state();
-      if (!moving) takeaway.update(answers);
+      answered = answers;
+      if (!moving) {
+        takeaway.update(answers);
+        sayTrouble();
+      }
       // Code and tables arrive later, and change nothing in the picture.
       const parts = Object.keys(queries(now, catalog)).map((name) => answers[name]);
       shortcuts = answers.shortcuts?.models ?? shortcuts;
@@ -235,7 +272,13 @@ export function createView(given) {
       return `${label(now, "left")} against ${label(now, "right")}: up to ${short(steps.largest)} of 255 steps apart, mean CIEDE2000 ${short(colors.mean)}.`;
     },
 
-    problem: takeaway.problem,
+    /** @param {string} name @param {import('../page/trouble.js').Problem} problem @returns {boolean} whether it is said here */
+    problem(name, problem) {
+      if (!OF_FILM.test(problem.lines[0] ?? "") || !problems.add(name, problem, answered))
+        return takeaway.problem(name, problem);
+      sayTrouble();
+      return true;
+    },
     theme: takeaway.theme,
     deactivate() {
       stage.stop();
