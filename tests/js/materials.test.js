@@ -14,8 +14,9 @@ import {
   wavelengthProperty,
 } from "../../static/js/media/wavelength.js";
 import { decoded } from "../../static/js/numbers/srgb.js";
+import { arrange } from "../../static/js/plot/arrange.js";
 import { bandShapes } from "../../static/js/plot/bands.js";
-import { arrange, logTicks } from "../../static/js/plot/figure.js";
+import { logTicks } from "../../static/js/plot/ticks.js";
 import { LinkError } from "../../static/js/state/state.js";
 import { off, typed } from "../../static/js/takeaway/use.js";
 import { pick } from "./catalog.js";

@@ -1,18 +1,14 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { overlap, plainText, plotlyText, runs, within } from "../../static/js/draw/svg.js";
-import {
-  arrange,
-  axisTicks,
-  createPixels,
-  curvePath,
-  roundRange,
-  shortTitle,
-  unitSuffix,
-} from "../../static/js/plot/figure.js";
+import { unitSuffix } from "../../static/js/numbers/format.js";
+import { arrange } from "../../static/js/plot/arrange.js";
+import { createPixels, curvePath } from "../../static/js/plot/fast.js";
 import { dashArray } from "../../static/js/plot/legend.js";
 import { placeLabels, placeMarkNames } from "../../static/js/plot/overlay.js";
+import { shortTitle } from "../../static/js/plot/plotly.js";
 import { pickedRows, toCsv } from "../../static/js/plot/table.js";
+import { axisTicks, roundRange } from "../../static/js/plot/ticks.js";
 import { pick } from "./catalog.js";
 
 /** An axis of 100 px with values 0 … 1 from the bottom up. */

@@ -5,8 +5,10 @@
 
 import { createMeasure, overlap, plainText } from "../draw/svg.js";
 import { h } from "../page/dom.js";
+import { arrange } from "../plot/arrange.js";
 import { captioned, imageOf, PRINT_PADDING, published } from "../plot/export.js";
-import { arrange, CONFIG, createHost, library, plotlyLayout } from "../plot/figure.js";
+import { createHost, library } from "../plot/figure.js";
+import { CONFIG, plotlyLayout } from "../plot/plotly.js";
 
 /**
  * @typedef {{id: string, name: string, kind: string, x: number, y: number, words: string,

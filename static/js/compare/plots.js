@@ -5,8 +5,8 @@ import { angleAxis, landmarksOf, locate, read } from "../curves/reading.js";
 import { curveTraces, distinct, errorRange, errorTraces, takenTraces } from "../errors/traces.js";
 import { bandPaths } from "../media/media.js";
 import { clamp, inDegrees, inUnit } from "../numbers/format.js";
-import { traceUid } from "../plot/figure.js";
 import { createPair } from "../plot/pair.js";
+import { traceUid } from "../plot/plotly.js";
 import { freshOf } from "../state/state.js";
 import { against, errorShown, showingError } from "./fields.js";
 

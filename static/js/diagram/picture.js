@@ -3,7 +3,7 @@
 import { standalone } from "../draw/standalone.js";
 import { advances } from "../draw/svg.js";
 import { h } from "../page/dom.js";
-import { textSize } from "../plot/figure.js";
+import { textSize } from "../plot/arrange.js";
 import { rasterized } from "../plot/image.js";
 import { drawingSize, onPaper, withDensity, wrapped } from "../plot/publication.js";
 import { createDiagram } from "./diagram.js";

@@ -41,6 +41,15 @@ export function plain(x, digits = 6) {
   return signed(String(Number(x.toPrecision(digits))));
 }
 
+/**
+ * A unit as it stands behind a number: degrees close up, others keep a space.
+ * @param {string | undefined} unit
+ */
+export function unitSuffix(unit) {
+  if (!unit) return "";
+  return unit === "°" ? unit : ` ${unit.trim()}`;
+}
+
 /** @param {number} x a share from 0 to 1 @returns {string} such as "11.3 %" */
 export function percent(x) {
   const hundredfold = 100 * x;

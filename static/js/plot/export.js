@@ -1,11 +1,13 @@
 /** A plot as a file that stands alone: title, names, marks and background included. */
 
 import { advances, createMeasure, plainText, plotlyText } from "../draw/svg.js";
+import { arrange } from "./arrange.js";
 import { bandShapes } from "./bands.js";
-import { arrange, CONFIG, library, plotlyLayout, plotlyTraces } from "./figure.js";
+import { library } from "./figure.js";
 import { fontFaces, rasterized, withStyle } from "./image.js";
 import { keyRows } from "./legend.js";
 import { MOST_LABELS, placeLabels, placeMarkNames } from "./overlay.js";
+import { CONFIG, plotlyLayout, plotlyTraces } from "./plotly.js";
 import { drawingSize, onGround, onPaper, withDensity, wrapped } from "./publication.js";
 
 const HEADER = 32;

@@ -6,8 +6,9 @@
  */
 
 import { createMeasure, plainText, put, px, show, svg } from "../draw/svg.js";
-import { plain } from "../numbers/format.js";
+import { plain, unitSuffix } from "../numbers/format.js";
 import { h } from "../page/dom.js";
+import { arrange } from "./arrange.js";
 import {
   contour,
   createCells,
@@ -19,7 +20,8 @@ import {
   stops,
 } from "./cells.js";
 import { captioned, imageOf, PRINT_PADDING, published } from "./export.js";
-import { arrange, CONFIG, createHost, library, plotlyLayout, unitSuffix } from "./figure.js";
+import { createHost, library } from "./figure.js";
+import { CONFIG, plotlyLayout } from "./plotly.js";
 import { gridCsv, gridTable } from "./table.js";
 
 /** Beside an exported map, for the key of its colors, px. */

@@ -5,20 +5,13 @@
  */
 
 import { plainText, put } from "../draw/svg.js";
-import { plain } from "../numbers/format.js";
+import { plain, unitSuffix } from "../numbers/format.js";
 import { h, listen } from "../page/dom.js";
-import {
-  arrange,
-  CONFIG,
-  createFastPath,
-  createHost,
-  library,
-  plotlyLayout,
-  plotlyTraces,
-  seen,
-  unitSuffix,
-} from "./figure.js";
+import { arrange } from "./arrange.js";
+import { createFastPath } from "./fast.js";
+import { createHost, library, seen } from "./figure.js";
 import { createOverlay, MOST_LABELS } from "./overlay.js";
+import { CONFIG, plotlyLayout, plotlyTraces } from "./plotly.js";
 
 /**
  * @param {Axis} axis

@@ -1,7 +1,8 @@
 /** A figure for a paper or a slide: its size there, the size of its letters, its ground and its caption. */
 
 import { h } from "../page/dom.js";
-import { readTheme, textSize } from "./figure.js";
+import { textSize } from "./arrange.js";
+import { readTheme } from "./figure.js";
 
 const MM_PER_POINT = 25.4 / 72;
 /** What a plot needs to have room for its axes and names. */

@@ -1,9 +1,8 @@
 /** What a plot shows in numbers: as a table for those who read it by ear, and as CSV (RFC 4180) in full precision. */
 
 import { plainText } from "../draw/svg.js";
-import { plain, six } from "../numbers/format.js";
+import { plain, six, unitSuffix } from "../numbers/format.js";
 import { h } from "../page/dom.js";
-import { unitSuffix } from "./figure.js";
 
 const ROWS = 40;
 
