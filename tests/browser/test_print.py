@@ -60,6 +60,20 @@ def test_figures_are_drawn_in_light_colors_and_as_before_afterwards(dark_page: P
     expect(page.locator(".curves .plot-area")).to_have_js_property("clientWidth", width)
 
 
+def test_films_are_on_the_paper_with_what_they_were_worked_out_for(dark_page: Page) -> None:
+    page = on_paper(dark_page, "?view=films&layers=1.38:100,2.3:50")
+    drawing = page.locator(".film-drawing")
+    fills = (
+        "(frame) => frame.querySelector('svg').getBoundingClientRect().width / frame.clientWidth"
+    )
+    expect(drawing).to_have_attribute("data-printed", "")
+    assert drawing.evaluate(fills) == pytest.approx(1.0, abs=0.01)
+    expect(page.locator(".film-list")).to_contain_text("2.3 50 nm")
+    expect(page.get_by_text("At 587.6 nm and 64.00°")).to_be_visible()
+    expect(page.get_by_text("from the whole spectrum")).to_be_visible()
+    expect(page.get_by_text("thick: no interference")).to_be_hidden()
+
+
 def test_the_scene_of_the_preview_is_on_the_paper(dark_page: Page) -> None:
     page = on_paper(dark_page, "?view=preview")
     colors = page.evaluate(

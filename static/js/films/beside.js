@@ -34,10 +34,10 @@ export function createBeside({ actions, state, save }, onPick) {
   );
   const map = createMap("Thickness and angle on the map of the shortcut", onPick, actions.settle);
   const host = h("div.frame");
-  const reason = h("p.hint");
+  const reason = h("p.reason");
   const said = h("p.film-off");
-  const validity = h("p.hint");
-  const source = h("p.hint");
+  const validity = h("p.reason");
+  const source = h("p.reason");
   let drawn = false;
   const tables = createDataTables("Color differences as a table", {
     "Table of the color differences": () => (errors && drawn ? [errors.table()] : []),

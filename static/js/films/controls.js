@@ -79,7 +79,7 @@ export function createControls({ catalog, presets, state, actions, describeMedia
     onSettle: actions.settle,
   });
   const source = h(
-    "p.hint",
+    "p.reason",
     "Ohtsuka, Masuda and Sato measured 2.4 nm a volt in sulfuric acid below 7.5 V; thicker oxides deviate.",
   );
 

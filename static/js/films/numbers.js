@@ -37,7 +37,7 @@ export function createNumbers() {
       /** @type {number[]} */
       const absorbed = here.absorbed ?? [];
       render(
-        html`<p class="hint">At ${plain(here.wavelength_nm ?? wavelengthOf(now), 5)} nm and ${angle(here.theta_i_deg, now.angle)}</p>
+        html`<p class="reason">At ${plain(here.wavelength_nm ?? wavelengthOf(now), 5)} nm and ${angle(here.theta_i_deg, now.angle)}</p>
           <dl>
             ${entry(here.R, "R")}${entry(here.T, "T")}${entry(here.A, "A")}
             ${entry(here.Rs, "Rs")}${entry(here.Rp, "Rp")}
@@ -45,7 +45,7 @@ export function createNumbers() {
           </dl>
           ${
             absorbed.length > 1 && here.A > 0
-              ? html`<p class="hint">Absorbed layer by layer: ${absorbed.map((a) => percent(a)).join(", ")}</p>`
+              ? html`<p class="reason">Absorbed layer by layer: ${absorbed.map((a) => percent(a)).join(", ")}</p>`
               : nothing
           }
           <div class="film-swatches">${swatch(reflected, "reflected")}${swatch(reflected, "by the shortcut", 1)}${swatch(transmitted, "transmitted")}</div>`,

@@ -7,7 +7,7 @@ import { h } from "./dom.js";
 
 /** What a figure takes of a sheet of A4 or letter at most, px. */
 const SHEET = { width: 680, height: 460 };
-const FIGURES = ".plot-area, .diagram, .coat-frame, .scene-frame";
+const FIGURES = ".plot-area, .diagram, .coat-frame, .film-drawing, .scene-frame";
 const address = h("p.printed");
 
 /** @param {string} theme that everything is drawn with */

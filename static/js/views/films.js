@@ -69,8 +69,8 @@ export function createView(page) {
   const map = createMap("Thickness and angle on the map of colors", go, actions.settle);
   const beside = createBeside(context, go);
   const numbers = createNumbers();
-  const said = h("p.hint");
-  const warned = h("p.hint");
+  const said = h("p.reason");
+  const warned = h("p.reason");
   const onBall = h("p.exports");
   const newBall = createChanged();
   const mapTrouble = h("p.row-error", { role: "alert" });
