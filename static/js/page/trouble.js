@@ -3,7 +3,8 @@
 import { h, setText } from "./dom.js";
 import { loadStyle } from "./style.js";
 
-await loadStyle("css/trouble.css");
+/** @type {Promise<void> | undefined} */
+let styled;
 
 /** @typedef {{title: string, lines: string[]}} Problem */
 
@@ -38,6 +39,7 @@ export function createProblems(told) {
  * @param {() => void} onBack
  */
 export function createTrouble(label, onBack) {
+  styled ??= loadStyle("css/trouble.css");
   const words = h("p.row-error");
   const back = h("button.quiet", { type: "button", onclick: onBack }, label);
   const element = h("div.trouble", { role: "alert" }, words, back);
