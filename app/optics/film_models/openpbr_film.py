@@ -1,16 +1,13 @@
 """The film of the OpenPBR Surface specification, on dielectrics and on metals by F0 and F82-tint."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from app.optics.edge_tint import LARGEST_R, gulbrandsen_index
-from app.optics.film_models import (
-    CoatedSurface,
-    Deviation,
-    FilmModel,
-    Sensitivity,
-    gaussian_xyz,
-)
-from app.optics.film_models.materialx_airy import TO_RGB, of_index
+from app.optics.film_models import CoatedSurface, Sensitivity
+from app.optics.film_models.materialx_airy import MODEL as MATERIALX
+from app.optics.film_models.materialx_airy import of_index
 from app.optics.parameters import Array
 from app.optics.real import Rp, Rs
 from app.optics.specular import MU_BAR, polynomial
@@ -44,7 +41,9 @@ def coated(surface: CoatedSurface, sensitivity: Sensitivity) -> Array:
     return of_index(surface, n, k, sensitivity)
 
 
-MODEL = FilmModel(
+# Of one n and k, as those that are measured, F0 and F82 give the very same: so are the errors.
+MODEL = replace(
+    MATERIALX,
     id="openpbr_film",
     title="OpenPBR thin film",
     reference="OpenPBR Surface specification 1.1.1, Thin-film iridescence, with L. Belcour and P. Barla "
@@ -56,22 +55,4 @@ MODEL = FilmModel(
     "of F0 that reflect as much at 82 degrees, with a tint of 1 at most. MaterialX's own graph of "
     "OpenPBR has none: it takes halves of Schlick's curve, as MaterialX's film on Schlick's curve.",
     function=coated,
-    sensitivity=gaussian_xyz,
-    to_rgb=TO_RGB,
-    floor=0.0,
-    ceiling=1.0,
-    measured=(
-        Deviation(
-            film_n=1.33, n_t=1.5, k_t=0.0, max_abs=0.0003, max_delta_e=5.24, mean_delta_e=2.262
-        ),
-        Deviation(
-            film_n=2.4, n_t=1.5, k_t=0.0, max_abs=0.0073, max_delta_e=7.36, mean_delta_e=2.423
-        ),
-        Deviation(
-            film_n=1.38, n_t=4.0, k_t=0.03, max_abs=0.0613, max_delta_e=9.58, mean_delta_e=2.814
-        ),
-        Deviation(
-            film_n=1.5, n_t=1.0, k_t=6.6, max_abs=0.1971, max_delta_e=14.59, mean_delta_e=0.916
-        ),
-    ),
 )
