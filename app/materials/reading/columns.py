@@ -23,12 +23,12 @@ _NAMES = {
     "energy": r"e|energy|photonenergy|energie|hv|hν|ħω|hbaromega",
     "wavenumber": r"wavenumbers?|wellenzahl|sigma|ν̃",
     "frequency": r"f|freq|frequency|frequenz|nu|ν",
-    "n": r"n|nr|nre|n_?t|eta|re\(?n\)?|realn?|n_?real|index(ofrefraction)?|ior|"
+    "n": r"n|nr|n_?t|eta|index(ofrefraction)?|ior|"
     r"ri|refr?(active)?(index|ind)|ref\.?index|indexn|brechungsindex",
-    "k": r"k|ni|nim|k_?t|kappa|κ|im\(?n\)?|imagn?|n_?imag|ext(inction)?\.?(coeff?(icient)?\.?)?|"
+    "k": r"k|ni|k_?t|kappa|κ|ext(inction)?\.?(coeff?(icient)?\.?)?|"
     r"extinktionskoeffizient|absorptionindex",
-    "eps1": r"(e|eps|epsilon|ε|er|die)_?(1|₁|r|re|real|')|(re|real)\(?_?(e|eps|epsilon|ε)\)?",
-    "eps2": r"(e|eps|epsilon|ε|die)_?(2|₂|i|im|imag|'')|(im|imag)\(?_?(e|eps|epsilon|ε)\)?",
+    "eps1": r"(e|eps|epsilon|ε|er|die)_?(1|₁|r|')",
+    "eps2": r"(e|eps|epsilon|ε|die)_?(2|₂|i|''|\")",
     "delta": r"delta|δ",
     "beta": r"beta|β",
 }
@@ -38,6 +38,16 @@ _BARE_UNIT = re.compile(
 )
 _SYMBOL = re.compile(r"^(?:vacuum|in vacuo)\s+|[\s,]+(?:[nkeκλ]|λ_?0|lambda)\s*$", re.IGNORECASE)
 """Words around a name: what is meant by it, or its symbol."""
+_INDEX = r"n|nk|index|ior|ri|(complex)?refractive_?index|(complex)?index_?of_?refraction"
+_EPSILON = r"e|eps|epsilon|ε|(relative)?permittivity|die|dielectric_?(constant|function)"
+_OF = r"(part)?(of)?(the)?_?\(?"
+_PART = re.compile(
+    rf"(?:(?P<before>re|real|im|imag|imaginary){_OF})?(?:(?P<n>{_INDEX})|{_EPSILON})\)?"
+    r"(?(before)|[_,]?\(?(?P<behind>re|real|im|imag|imaginary)(part)?\)?)",
+    re.IGNORECASE,
+)
+"""Real and imaginary parts of the index or the permittivity."""
+_BRACKETS = str.maketrans("[]{}", "()()")
 _ROLE = {role: re.compile(names, re.IGNORECASE) for role, names in _NAMES.items()}
 
 
@@ -49,7 +59,9 @@ def role_of(name: str) -> tuple[str, str | None]:
     tuple
         One of `ROLES`, "-" where nothing is known; and a unit or None.
     """
-    name = name.strip().strip("\"'#;%*:").strip()
+    name = name.strip().lstrip("\"'#;%*:").rstrip("#;%*:").strip()
+    if not re.search(r"[εe](ps\w*)?['\"]+$", name, re.IGNORECASE):  # two strokes are a part
+        name = name.rstrip("\"'").strip()
     if name.casefold() == "wl":  # so refractiveindex.info calls its columns, which are in um
         return "wavelength", "um"
     bare = unit_spelled(name)
@@ -63,10 +75,15 @@ def role_of(name: str) -> tuple[str, str | None]:
             name = name[: found.start()]
     stem = re.sub(r"\s+", "", re.sub(r"[\(\[\{][^\(\)\[\]\{\}]*[\)\]\}]\s*$", "", name))
     texts = (stem, re.sub(r"\s+", "", name), re.sub(r"\s+", "", _SYMBOL.sub("", name)))
+    part = _PART.fullmatch(texts[1].translate(_BRACKETS))
+    if part is not None:
+        is_real = (part["before"] or part["behind"]).lower().startswith("re")
+        return (("k", "n") if part["n"] else ("eps2", "eps1"))[is_real], unit
     for role, pattern in _ROLE.items():
         for text in texts:
             if pattern.fullmatch(text):
-                return (UNITS[unit].kind if unit and role in ABSCISSAE else role), unit
+                # k in 1/cm is a wavenumber or an absorption coefficient, and no k.
+                return (UNITS[unit].kind if unit else role), unit
     if unit is not None:
         return UNITS[unit].kind, unit
     return "-", None

@@ -2,11 +2,12 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.materials.reading.report import Notes, Order, Sign, Undecided
+from app.materials.reading.report import Notes, Order, Sign, Undecided, Unreadable
 from app.materials.reading.units import UNITS, plausible, ranges
 from app.materials.schema import Points
 from app.optics.parameters import K_T, N_T, Array, Parameter
@@ -16,6 +17,9 @@ MISSING = (-999.0, -9999.0, -99999.0, -999.9, -999.99, -9999.99)
 
 NOISE = 0.1
 """Share of the largest |k| up to which k of the other sign counts as noise."""
+
+ALIKE = 2e-3
+"""How far n or k of two tables may be apart that are taken for the same material's."""
 
 ROUNDING = 1e-9
 """Negative k that is rounding wherever it stands."""
@@ -142,6 +146,8 @@ def constants(tables: Sequence[Table], notes: Notes) -> Found:
     ------
     Undecided
         If the sign of k cannot be told.
+    Unreadable
+        If the tables are of two materials.
     """
     clean = [_measured(table) for table in tables]
     sign = _decided_sign(clean, notes)
@@ -158,11 +164,16 @@ def constants(tables: Sequence[Table], notes: Notes) -> Found:
         for name, values, bounds in (("n", n, N_T), ("k", k, K_T)):
             if values is not None:
                 usable &= _within(name, values, bounds, table.lines, usable, notes)
+        known = [values for values in (n, k) if values is not None]
+        for at in np.flatnonzero(np.all(np.isnan(known), axis=0)).tolist() if known else ():
+            notes.leave_out(int(table.lines[at]), "nothing is given there")
         gone.append(wavelength_nm[~usable])
         for name, values in (("n", n), ("k", k)):
             if values is not None:
                 there = usable & np.isfinite(values)
                 parts[name].append((wavelength_nm[there], values[there], table.lines[there]))
+    for name, pieces in parts.items():
+        _refuse_two(name, pieces)
     points = {name: _points(name, pieces, notes) for name, pieces in parts.items()}
     _say_gaps(points, parts, np.concatenate([np.zeros(0), *gone]), notes)
     return Found(points["n"], points["k"], order, sign)
@@ -308,6 +319,31 @@ def _points(name: str, pieces: Sequence[tuple[Array, Array, Lines]], notes: Note
     return Points(kind="points", wavelength_nm=tuple(nodes.tolist()), values=tuple(values.tolist()))
 
 
+def _refuse_two(name: str, pieces: Sequence[tuple[Array, Array, Lines]]) -> None:
+    """Refuse tables of two materials, or of two axes of one: their mean is that of neither.
+
+    Raises
+    ------
+    Unreadable
+        If two tables are of the same wavelengths, and not alike there.
+    """
+    for (x, values, lines), (x2, values2, lines2) in combinations(pieces, 2):
+        if min(x.size, x2.size) < 2:
+            continue
+        order = np.argsort(x, kind="stable")
+        inside = (x2 >= x.min()) & (x2 <= x.max())
+        if 2 * np.count_nonzero(inside) < min(x.size, x2.size):
+            continue  # one continues the other
+        apart = np.abs(np.interp(x2[inside], x[order], values[order]) - values2[inside])
+        if np.median(apart) > ALIKE:
+            what = (
+                f"one material: the tables from line {lines.min()} and from line {lines2.min()} both "
+                f"have {name} from {x2[inside].min():.6g} to {x2[inside].max():.6g} nm, up to "
+                f"{apart.max():.3g} apart; leave one of them"
+            )
+            raise Unreadable("file", None, what)
+
+
 def _measured_k(
     pieces: Sequence[tuple[Array, Array, Lines]], notes: Notes
 ) -> Sequence[tuple[Array, Array, Lines]]:
@@ -340,5 +376,6 @@ def _say_gaps(
         if inside:
             notes.warn(f"in the place of {inside} rows left out, values are interpolated")
     n, k = (sum(values.size for _, values, _ in parts[name]) for name in ("n", "k"))
-    if len(parts["n"]) == len(parts["k"]) == 1 and 0 < k < n:
+    is_one = len(parts["n"]) == len(parts["k"]) == 1
+    if is_one and 0 < k < n and np.isin(parts["k"][0][2], parts["n"][0][2]).all():
         notes.warn(f"k is missing in {n - k} of {n} rows")

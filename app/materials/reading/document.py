@@ -17,6 +17,8 @@ _MARKS = (
     (codecs.BOM_UTF16_LE, "utf-16-le"),
     (codecs.BOM_UTF16_BE, "utf-16-be"),
 )
+_END_OF_FILE = "\x1a"
+"""What DOS wrote at the end of text."""
 _CONTROLS = dict.fromkeys([*range(9), 11, 12, *range(14, 32), 127])
 
 
@@ -54,6 +56,7 @@ def document(name: str, content: bytes) -> Document:
         raise Unreadable("file", name, what)
     text, encoding = _decoded(content)
     text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\N{MINUS SIGN}", "-")
+    text = text.rstrip(_END_OF_FILE)
     if text.translate(_CONTROLS) != text:
         raise Unreadable("file", name, "a text file; save a spreadsheet or workspace as CSV")
     if not text.strip():

@@ -73,9 +73,8 @@ def reading_of(first: Document, kind: Format, content: Content, notes: Notes) ->
     if content.formula is not None:
         n = _formula(first, content.formula)
     if n is None:
-        lines = notes.left_out
-        because = f"; the first row left out: line {lines[0].line}, {lines[0].why}" if lines else ""
-        raise Unreadable("file", first.name, f"n at one wavelength at least{because}")
+        what = f"n at one wavelength at least{notes.first_left_out}"
+        raise Unreadable("file", first.name, what)
     if notes.more_left_out:
         notes.warn(f"{notes.more_left_out} more rows are left out than are listed")
     k = _beside(n, found.k, notes)
@@ -141,7 +140,7 @@ def _relative_to(content: Content, n: Quantity, notes: Notes) -> Reference | Non
 
 
 def _stem(name: str) -> str:
-    return re.sub(r"(\.(eta|k|n))?\.[A-Za-z0-9]{1,5}$", "", name)
+    return re.sub(r"([._-](eta|k|n))?\.[A-Za-z0-9]{1,5}$", "", name)
 
 
 def _name(text: str) -> str:

@@ -87,6 +87,14 @@ class Notes:
         else:
             self.more_left_out += 1
 
+    @property
+    def first_left_out(self) -> str:
+        """The end of a sentence on what is missing: the first row left out, if there is one."""
+        if not self.left_out:
+            return ""
+        row = min(self.left_out, key=lambda row: row.line)
+        return f"; the first row left out: line {row.line}, {row.why}"
+
     def warn(self, sentence: str) -> None:
         """Say something once."""
         if sentence not in self.warnings:

@@ -13,13 +13,35 @@ from app.materials.reading.report import Notes, Unreadable
 COMMENT = re.compile(r"\s*(?:[#;%!*]|//|['\"](?!\s*[-+.\d]))")
 """How lines begin that are no data; a number may stand in quotes."""
 
-MISSING_BELOW = -900.0
-"""-999 and -9999 stand for what was not measured; no optical constant is as low but eps1 of metals
-in the far infrared, which is no such round number."""
-
-_SEPARATORS = (";", "\t", ",", None)  # None: blanks
+_SEPARATORS = (";", "\t", "|", ",", None)  # None: blanks
 _SAMPLE = 200
-_NOTHING = frozenset({"", "-", "--", "_", "na", "n/a", "nan", "null", "none", "#n/a"})
+_NOTHING = frozenset(
+    {
+        "",
+        "-",
+        "--",
+        "---",
+        "_",
+        "*",
+        "?",
+        "na",
+        "n/a",
+        "n.a.",
+        "n. a.",
+        "n.d.",
+        "nan",
+        "-nan",
+        "null",
+    }
+    | {"none", "#n/a", "#value!", "missing", "k.a.", "k. a.", "1.#qnan", "-1.#ind"}
+)
+_GROUPED = {
+    ".": re.compile(r"[-+]?\d{1,3}(?:,\d{3})+\.\d+|[-+]?\d{1,3}(?:[ \xa0\u202f']\d{3})+(?:\.\d*)?"),
+    ",": re.compile(r"[-+]?\d{1,3}(?:\.\d{3})+,\d+|[-+]?\d{1,3}(?:[ \xa0\u202f']\d{3})+(?:,\d*)?"),
+}
+"""Thousands set apart; 1,000 alone may be 1 or 1000, and is neither."""
+_GROUP = re.compile(r"[ \xa0\u202f']|[.,](?=.*[.,])")
+_DOUBTFUL = re.compile(r"[-+]?\d{1,3}(?:[.,]\d{3})+")
 _FORTRAN = re.compile(r"(?<=\d)[dD](?=[-+]?\d)")
 _MOST_COLUMNS = 64
 
@@ -42,6 +64,8 @@ class Layout:
     def _all_cells(self, line: str) -> list[str]:
         if self.separator is None:
             return line.split()
+        if self.separator == "|":  # as Markdown has it, at both ends too
+            line = line.strip().removeprefix("|").removesuffix("|")
         if '"' in line:  # a quoted cell may hold the separator
             try:
                 return [cell.strip() for cell in next(csv.reader([line], delimiter=self.separator))]
@@ -52,21 +76,21 @@ class Layout:
     def number(self, cell: str) -> float | None:
         """Read a cell; NaN for what is missing, None for what is no number."""
         cell = cell.strip("\"'")
+        plain = cell
         if self.decimal == ",":
-            if "." in cell:
-                return None
-            cell = cell.replace(",", ".")
-        try:
-            # float() takes 1_000 and digits of other scripts, which no table has.
-            return float(cell) if "_" not in cell and cell.isascii() else None
-        except ValueError:
-            pass
+            plain = "" if "." in cell else cell.replace(",", ".")
+        # float() takes 1_000 and digits of other scripts, which no table has.
+        if "_" not in plain and plain.isascii():
+            for text in (plain, _FORTRAN.sub("e", plain)) if "d" in plain.lower() else (plain,):
+                try:
+                    return float(text)
+                except ValueError:
+                    pass
         if cell.casefold() in _NOTHING:
             return math.nan
-        try:
-            return float(_FORTRAN.sub("e", cell)) if cell.isascii() and "_" not in cell else None
-        except ValueError:
-            return None
+        if _GROUPED[self.decimal].fullmatch(cell):
+            return float(_GROUP.sub("", cell).replace(",", "."))
+        return None
 
     def row(self, line: str) -> list[float] | None:
         """Read a line of at least two numbers, None where it is none; NaN for empty cells."""
@@ -142,10 +166,11 @@ def blocks_of(lines: Sequence[str], layout: Layout, notes: Notes, name: str) -> 
         elif line.strip():
             if blocks[-1].rows and _heads(line, layout):
                 blocks.append(Block([], [], []))
-            if not blocks[-1].rows:
+            is_first = not blocks[-1].rows
+            if is_first:
                 blocks[-1].header.append(line)
-            elif not COMMENT.match(line):
-                notes.leave_out(number, f"no row of numbers: {line.strip()[:60]}")
+            if not COMMENT.match(line) and (not is_first or _is_broken(line, layout)):
+                notes.leave_out(number, _broken(line, layout))
     return [_even(block, notes) for block in blocks if block.rows]
 
 
@@ -155,6 +180,28 @@ def _heads(line: str, layout: Layout) -> bool:
         return False
     cells = layout.cells(line)
     return len(cells) > 1 and all(layout.number(cell) is None for cell in cells)
+
+
+def _is_broken(line: str, layout: Layout) -> bool:
+    """Whether a line above rows is one with a cell that is no number, and not what heads them."""
+    cells = layout.cells(line)
+    numbers = [number for cell in cells if (number := layout.number(cell)) is not None]
+    return (
+        2 < len(cells) < 2 * len(numbers)
+        and layout.number(cells[0]) is not None
+        and math.isfinite(numbers[0])
+    )
+
+
+def _broken(line: str, layout: Layout) -> str:
+    """Say why a line is no row."""
+    why = f"no row of numbers: {line.strip()[:60]}"
+    for cell in layout.cells(line):
+        cell = cell.strip("\"'")
+        if _DOUBTFUL.fullmatch(cell) and layout.number(cell) is None:
+            plain = re.sub("[.,]", "", cell)
+            return f"{why}; write {plain} for {cell[:20]} if it is that"
+    return why
 
 
 def _even(block: Block, notes: Notes) -> Block:

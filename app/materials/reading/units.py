@@ -68,7 +68,7 @@ _SPELLINGS = {
     "um": r"[uµμ]m|mic(?:ron|rons|romet(?:er|re)s?)",
     "A": r"å|\u212b|a|ang(?:str[oö]ms?)?",
     "eV": r"ev|electron-?\s?volts?",
-    "cm-1": r"cm\^?\(?[-−⁻][1¹]\)?|1/cm|/cm|wavenumbers?",
+    "cm-1": r"cm\^?\(?[-−⁻][1¹]\)?|(?:1/|/|per\s|inverse\s)\s?cm|wavenumbers?",
     "THz": r"thz",
     "m": r"m|met(?:er|re)s?",
     "mm": r"mm|millimet(?:er|re)s?",

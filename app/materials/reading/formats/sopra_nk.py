@@ -1,5 +1,6 @@
 """SOPRA's .nk: a header with a unit code, start, end and intervals; then pairs n k, no abscissa."""
 
+import re
 from collections.abc import Sequence
 
 import numpy as np
@@ -17,6 +18,19 @@ from app.materials.reading.formats import (
 
 _UNITS = {1: "eV", 2: "um", 3: "cm-1", 4: "nm"}
 _HEADER = 4
+_POINT = re.compile(r"\S*\d,\d\S*\s+\S+|\S+\s+\S*\d,\d\S*")
+"""A pair with a comma inside a number."""
+
+
+def _numbers(line: str, count: int) -> list[float] | None:
+    """Read so many numbers between blanks, with points or commas for decimals, or between commas."""
+    for words in (line.split(), line.replace(",", " ").split()):
+        try:
+            if len(words) == count:
+                return [float(word.replace(",", ".")) for word in words]
+        except ValueError:
+            continue
+    return None
 
 
 def _header(document: Document) -> tuple[int, float, float, int, int] | None:
@@ -24,13 +38,12 @@ def _header(document: Document) -> tuple[int, float, float, int, int] | None:
     for number, line in enumerate(document.lines, start=1):
         if not line.strip():
             continue
-        words = line.replace(",", " ").split()
-        try:
-            code, start, end, intervals = (float(word) for word in words[:_HEADER])
-        except ValueError:
+        numbers = _numbers(line, _HEADER)
+        if numbers is None:
             return None
+        code, start, end, intervals = numbers
         whole = code in _UNITS and intervals == int(intervals) if np.isfinite(intervals) else False
-        if len(words) != _HEADER or not whole or not 1 <= intervals <= MOST_ROWS:
+        if not whole or not 1 <= intervals <= MOST_ROWS:
             return None
         if not (0.0 < start < np.inf and 0.0 < end < np.inf and start != end):
             return None
@@ -43,7 +56,7 @@ def _sniff(document: Document) -> str | None:
     if header is None:
         return None
     beside = next((x for x in document.lines[header[-1] :] if x.strip()), "")
-    if len(beside.split()) != 2:
+    if _numbers(beside, 2) is None:
         return None
     return "its first line is a unit code, a start, an end and a number of intervals; pairs follow"
 
@@ -57,20 +70,23 @@ def _read(documents: Sequence[Document], notes: Notes) -> Content:
     code, start, end, intervals, first = header
     pairs, lines = [], []
     for number, line in enumerate(document.lines[first:], start=first + 1):
-        words = line.replace(",", " ").split()
-        if not words:
+        if not line.strip():
             continue
-        try:
-            n, k = (float(word) for word in words)
-        except ValueError:
+        pair = _numbers(line, 2)
+        if pair is not None:
+            pairs.append(pair)
+            lines.append(number)
+        elif len(pairs) > intervals:
+            notes.leave_out(number, f"below the last pair: {line.strip()[:60]}")
+        else:
             # A pair that is left out silently would move all that follow.
             what = f"a pair n k on each line; line {number} is {line.strip()[:40]!r}"
-            raise Unreadable("file", document.name, what) from None
-        pairs.append((n, k))
-        lines.append(number)
+            raise Unreadable("file", document.name, what)
     if len(pairs) != intervals + 1:
         what = f"{intervals + 1} pairs for {intervals} intervals; there are {len(pairs)}"
         raise Unreadable("file", document.name, what)
+    if any(_POINT.fullmatch(document.lines[number - 1].strip()) for number in lines):
+        notes.assume("decimal", ",", "numbers have commas inside, and blanks between them")
     x = np.linspace(start, end, intervals + 1)
     numbers = np.array(pairs)
     named = _UNITS[code]

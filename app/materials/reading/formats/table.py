@@ -22,6 +22,7 @@ from app.materials.reading.formats import (
     layout_of,
     unit_in,
 )
+from app.materials.reading.instead import instead
 from app.optics.parameters import Array
 
 
@@ -38,10 +39,10 @@ def read_lines(lines: Sequence[str], name: str, notes: Notes) -> Content:
     layout = layout_of(lines, notes)
     blocks = blocks_of(lines, layout, notes, name) if layout else []
     if layout is None or not blocks:
-        what = "rows of at least two numbers: a wavelength or energy, n, and k where it is known"
-        raise Unreadable("file", name, what)
+        raise Unreadable("file", name, instead(lines))
     if sum(len(block.rows) for block in blocks) < 2:
-        raise Unreadable("file", name, "at least two rows; give a single index as n_t and k_t")
+        what = f"at least two rows; give a single index as n_t and k_t{notes.first_left_out}"
+        raise Unreadable("file", name, what)
     tables: list[Table] = []
     for block in blocks:
         tables += _tables(block, layout, notes, tables[0].unit if tables else None)
