@@ -306,10 +306,12 @@ def _turn(layer: Medium, phase: Number, signed: bool) -> _Turn:
     one = isinstance(depth, float)
     fall = math.expm1(-depth) if one else np.expm1(-depth)
     shrunk = (math.exp(-0.5 * depth) if one else np.exp(-0.5 * depth)) if signed else 1.0
+    # Not 1 + fall, of which no digit is left where the layer is thick.
+    stays = math.exp(-depth) if one else np.exp(-depth)
     mean, half = 1.0 + 0.5 * fall, -0.5 * fall
     S = over((sine * mean, product(cosine, half)), (a, b))
     cos = product(cosine, mean), -(sine * half)
-    return _Turn(cos, S, shrunk, product(shrunk2, 1.0 + fall), fall)
+    return _Turn(cos, S, shrunk, product(shrunk2, stays), fall)
 
 
 class _Coefficients(NamedTuple):
