@@ -48,7 +48,11 @@ def test_a_preset_is_the_same_as_among_materials(ask: Ask) -> None:
                 "KHR_materials_iridescence.iridescenceThicknessMaximum": 250.0,
             },
         ),
-        ("openpbr", "Si", {"thin_film_thickness": 0.25, "thin_film_ior": 1.46}),
+        (
+            "openpbr",
+            "Si",
+            {"thin_film_weight": 1.0, "thin_film_thickness": 0.25, "thin_film_ior": 1.46},
+        ),
         ("materialx", "Si", {"thinfilm_thickness": 250.0, "thinfilm_ior": 1.46}),
         ("blender", "N-BK7", {"Thin Film Thickness": 250.0, "Thin Film IOR": 1.46}),
     ],
