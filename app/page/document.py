@@ -22,7 +22,12 @@ _BEFORE = f'  <link rel="modulepreload" href="{MAIN}">\n'
 
 _TAB = '<a href="./" data-view="explore"'
 
-_KEPT = 128
+_MOST_BYTES = 8_000_000
+"""What the documents kept may take."""
+
+_FORMS = 4
+"""As a document is kept: the text and three encodings, none longer than the text."""
+
 _LONGEST_QUERY = 1000
 """Longer ones start with the plain page: nobody can say how many more there are."""
 
@@ -49,7 +54,9 @@ class Document:
         self._path = static_dir / NAME
         self._picture = picture
         self._replaced = replaced
-        self._kept: LRUCache[tuple[bytes | None, int], EncodedBody] = LRUCache(_KEPT)
+        self._kept: LRUCache[tuple[bytes | None, int], EncodedBody] = LRUCache(
+            _MOST_BYTES, getsizeof=lambda body: _FORMS * body.size
+        )
         self._lock = Lock()
 
     def body(self, query: bytes | None) -> EncodedBody:

@@ -234,16 +234,19 @@ def _curves(found: Curves, ray: Ray, chosen: str) -> str:
     """The plot: curves in a stretched picture, all else placed beside it in shares of its size."""
     angles = found.theta_i_deg
     looks = {"Rs": ("Rs", "solid"), "Rp": ("Rp", "dash"), "R": ("R", "solid")}
-    drawn = []
+    drawn, names = [], []
     for curve in found.curves:
         if curve.model == "exact" and curve.quantity in looks:
             color, dash = looks[curve.quantity]
+            name = {"Rs": "R<sub>s</sub>", "Rp": "R<sub>p</sub>"}.get(curve.quantity, "R")
             width = 2.6 if curve.quantity in {chosen, "R"} else 1.9
         elif curve.model != "exact" and curve.quantity == "R":
             color, dash = model_look(curve.model)
+            name = escape(curve.model.replace("_", " "))
             width = 1.9
         else:
             continue
+        names.append(f'<i style="color:var(--{color})">{name}</i>')
         dashes = _DASHES.get(dash, dash.replace("px", ""))
         dashed = f";stroke-dasharray:{dashes}" if dashes else ""
         drawn.append(
@@ -274,6 +277,7 @@ def _curves(found: Curves, ray: Ray, chosen: str) -> str:
         f"{''.join(ticks)}{marker}"
         f'<svg viewBox="0 0 {_X} {_Y}" preserveAspectRatio="none" aria-hidden="true">{"".join(drawn)}'
         f'</svg>{points}<span class="first-y-title">reflectance</span>'
+        f'<span class="first-key">{" ".join(names)}</span>'
         '<span class="first-x-title">angle of incidence <i>θ<sub>i</sub></i> (degrees)</span></div>'
     )
 

@@ -4,7 +4,7 @@ import { canBeIncident, createConstants, WAVELENGTH } from "./media/media.js";
 import { byId, h } from "./page/dom.js";
 import { createRouter } from "./page/router.js";
 import { createShell, failure, listenForKeys } from "./page/shell.js";
-import { library } from "./plot/figure.js";
+import { library, onMissing } from "./plot/figure.js";
 import {
   completed,
   createAsking,
@@ -146,8 +146,16 @@ async function start() {
   // On a phone the curves that the server drew stay until they are seen: Plotly comes then.
   const wide = matchMedia(/** @type {HTMLLinkElement} */ (byId("plotly")).media).matches;
   const early = wide || !main.querySelector(".first-curves");
+  const missing = new Promise((then) => {
+    onMissing((again) => {
+      then(null);
+      const title = "The plots could not be drawn";
+      const action = again && { label: "Try again", run: again };
+      shell.notice("plots", action && { title, lines: [REFUSED], action });
+    });
+  });
   /** When the first picture stands: what can wait is not to keep its files from coming. */
-  const pictured = Promise.all([loaded(), early && library().catch(() => {})]);
+  const pictured = Promise.all([loaded(), early && Promise.race([library(), missing])]);
   const catalog = await firstCatalog(main);
   /** Media that the catalog has not, of the link or besides. @param {unknown} [besides] */
   async function bring(besides) {

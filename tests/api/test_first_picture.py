@@ -13,7 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.main import create_app
-from app.page.first_picture import ANGLE_DEG, NEGLIGIBLE
+from app.page.document import Document
+from app.page.first_picture import ANGLE_DEG, NEGLIGIBLE, FirstPicture
 from app.page.packed import FOLDER, MANIFEST, digest, packed, page_form
 from app.settings import Settings
 from tests.api.raw import Answer, send
@@ -244,3 +245,16 @@ def test_light_from_the_denser_side_comes_from_below(app: FastAPI) -> None:
         text = page(app, query).body.decode()
         assert turned in text
         assert ('<g transform="scale(1 -1)"><rect class="ray-medium ray-upper"' in text) is below
+
+
+def test_documents_are_kept_within_a_bound_of_bytes() -> None:
+    def picture(query: bytes) -> FirstPicture:
+        return FirstPicture("x" * 1_000_000 + query.decode(), [])
+
+    document = Document(STATIC, picture, {})
+    first = document.body(b"a=1")
+    assert document.body(b"a=1") is first
+    for number in range(12):
+        document.body(b"b=%d" % number)
+    assert document.body(b"a=1") is not first
+    assert document.body(b"a=1").size > 1_000_000

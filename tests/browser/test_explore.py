@@ -424,3 +424,17 @@ def test_the_boundary_is_taken_to_an_engine(quiet_page: Page) -> None:
     with page.expect_download() as waiting:
         panel.get_by_role("button", name="save").click()
     assert waiting.value.suggested_filename == "own_n_1_6_mitsuba.json"
+
+
+def test_an_export_that_did_not_come_is_asked_for_again(page: Page) -> None:
+    opened(page, "?n_t=1.6")
+    page.route("**/api/v1/export?**", lambda route: route.abort())
+    fold = page.locator("details.definitions", has_text="Use it in").first
+    summary = fold.locator("summary").first
+    summary.click()
+    expect(fold.locator(".take .row-error")).to_contain_text("Is it running")
+    page.unroute("**/api/v1/export?**")
+    summary.click()
+    summary.click()
+    expect(fold.locator(".take .parameters")).to_contain_text("1.6")
+    expect(fold.locator(".take .row-error")).to_be_empty()

@@ -152,6 +152,62 @@ def test_on_a_phone_plotly_waits_until_its_plot_is_seen(page: Page) -> None:
     expect(page.locator(".first-curves")).to_have_count(0)
 
 
+def on_a_phone(page: Page) -> Page:
+    """Open the page where its plot is below what is seen."""
+    page.set_viewport_size({"width": 390, "height": 780})
+    page.goto("/?n_t=1.7")
+    expect(page.locator('.number[aria-label^="R:"]')).to_be_visible()
+    return page
+
+
+def test_a_picture_of_another_angle_has_no_marker(page: Page) -> None:
+    on_a_phone(page)
+    marker = page.locator(".first-marker, .first-point")
+    expect(marker).to_have_count(4)
+    page.get_by_role("slider", name="Incident ray").press("ArrowRight")
+    expect(marker).to_have_count(0)
+    expect(page.locator(".first-curves path")).to_have_count(3)
+
+
+def test_a_sheet_that_is_closed_lets_the_plot_be_seen(page: Page) -> None:
+    on_a_phone(page)
+    page.get_by_role("button", name="all", exact=True).click()
+    page.set_viewport_size({"width": 400, "height": 780})  # the plot looks anew where it is
+    page.evaluate("() => scrollTo(0, 250)")
+    page.wait_for_timeout(500)
+    expect(page.locator(".first-curves")).to_have_count(1)
+    page.get_by_role("button", name="close", exact=True).click()
+    expect(page.locator(".plot-canvas path.js-line")).to_have_count(3)
+
+
+def test_plots_that_could_not_be_had_are_told_of_and_asked_for_again(page: Page) -> None:
+    uncaught: list[str] = []
+    page.on("pageerror", lambda error: uncaught.append(str(error)))
+    page.route("**/plotly-cartesian.min.js", lambda route: route.abort())
+    on_a_phone(page)
+    page.locator(".plot-host").scroll_into_view_if_needed()
+    notice = page.locator(".notice", has_text="The plots could not be drawn")
+    expect(notice).to_be_visible()
+    expect(page.locator(".first-curves path")).to_have_count(3)
+    page.unroute("**/plotly-cartesian.min.js")
+    notice.get_by_role("button", name="Try again").click()
+    expect(page.locator(".plot-canvas path.js-line")).to_have_count(3)
+    expect(notice).to_have_count(0)
+    assert uncaught == []
+
+
+def test_what_is_changed_asks_for_missing_plots_again(page: Page) -> None:
+    page.route("**/plotly-cartesian.min.js", lambda route: route.abort())
+    page.set_viewport_size({"width": 1280, "height": 800})
+    page.goto("/")
+    expect(page.locator(".notice", has_text="The plots could not be drawn")).to_be_visible()
+    page.unroute("**/plotly-cartesian.min.js")
+    page.locator("#n_t-box").fill("1.9")
+    page.locator("#n_t-box").press("Enter")
+    expect(page.locator(".plot-canvas path.js-line")).to_have_count(3)
+    expect(page.locator(".notice")).to_have_count(0)
+
+
 def test_where_scripts_are_forbidden_the_picture_stands_alone(
     browser: Browser, browser_context_args: dict[str, Any]
 ) -> None:

@@ -66,6 +66,41 @@ def test_undo_of_a_link_whose_view_is_under_way_takes_the_link_back(quiet_page: 
     expect(page.locator(".view-compare")).to_be_hidden()
 
 
+PRESSED = """(element, [key, times]) => {
+  for (let i = 0; i < times; i += 1)
+    element.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true, cancelable: true}));
+  element.dispatchEvent(new KeyboardEvent("keyup", {key, bubbles: true}));
+}"""
+
+
+@pytest.mark.parametrize(
+    ("address", "handle", "key", "expected"),
+    [
+        ("?n_t=1.5", "#n_t-slider", "ArrowRight", {"n_t": "1.57"}),
+        ("?n_t=1.5", "#n_t-box", "ArrowDown", {"n_t": "1.43"}),
+        ("?theta_i_deg=20", ".diagram-handle", "ArrowRight", {"theta_i_deg": "23.5"}),
+        ("?theta_i_deg=20", ".plot-handle", "ArrowLeft", {"theta_i_deg": "16.5"}),
+        ("?view=theory&own_deg=20", ".diagram-handle", "ArrowRight", {"own_deg": "23.5"}),
+        ("?view=theory&own_deg=20", ".plot-handle", "ArrowRight", {"own_deg": "23.5"}),
+        (
+            "?view=films&layers=1.38:100",
+            ".film-map .map-handle",
+            "ArrowRight",
+            {"layers": "1.38%3A170"},
+        ),
+    ],
+)
+def test_no_press_of_a_key_is_lost_before_the_next_frame(
+    page: Page, address: str, handle: str, key: str, expected: dict[str, str]
+) -> None:
+    page.goto(f"/{address}")
+    page.wait_for_load_state("networkidle")
+    at = page.locator(f".view:not([hidden]) {handle}").filter(visible=True).first
+    at.evaluate(PRESSED, [key, 7])
+    for name, value in expected.items():
+        settled_link(page, name, re.escape(value))
+
+
 def test_a_box_that_is_written_in_keeps_its_own_undo(quiet_page: Page) -> None:
     page = opened(quiet_page, "?n_t=1.7")
     type_into(page, "theta_i_deg", "30")

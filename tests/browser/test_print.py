@@ -74,6 +74,25 @@ def test_films_are_on_the_paper_with_what_they_were_worked_out_for(dark_page: Pa
     expect(page.get_by_text("thick: no interference")).to_be_hidden()
 
 
+def test_numbers_have_their_names_and_are_whole(dark_page: Page) -> None:
+    page = on_paper(dark_page, "?view=explore&material=Au")
+    for name in page.locator(".numbers dt").all():
+        expect(name).not_to_have_text("")
+        expect(name.locator("*").first).to_be_visible()
+    boxes = page.locator(".row .box").filter(visible=True)
+    assert boxes.count() >= 4
+    cut = "(box) => box.scrollWidth > box.clientWidth"
+    assert not [box.input_value() for box in boxes.all() if box.evaluate(cut)]
+
+
+def test_curves_that_were_not_seen_yet_are_printed_with_their_names(dark_page: Page) -> None:
+    dark_page.set_viewport_size({"width": 390, "height": 780})
+    page = on_paper(dark_page, "?view=explore&models=schlick")
+    expect(page.locator(".first-curves path")).to_have_count(4)
+    expect(page.locator(".first-key")).to_be_visible()
+    expect(page.locator(".first-key")).to_have_text("R Rs Rp schlick", use_inner_text=True)
+
+
 def test_the_scene_of_the_preview_is_on_the_paper(dark_page: Page) -> None:
     page = on_paper(dark_page, "?view=preview")
     colors = page.evaluate(

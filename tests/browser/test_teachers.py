@@ -146,7 +146,7 @@ def test_a_material_is_presented_without_the_catalog(quiet_page: Page) -> None:
     page = quiet_page
     page.goto("/?view=materials&present=1&preset=Cu")
     expect(page.get_by_role("heading", name="Copper")).to_be_visible(timeout=READY_MS)
-    for gone in (".browser", ".example-row"):
+    for gone in (".browser", ".example-row", ".uses"):
         expect(page.locator(f".view-materials {gone}").first).to_be_hidden()
 
 

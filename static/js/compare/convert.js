@@ -43,13 +43,18 @@ function valued(name, value) {
   } ${words}</span>`;
 }
 
+/** A name that a narrow line breaks behind its underscores. @param {string} name */
+const breaking = (name) =>
+  name.split(/(?<=_)/u).map((part, at) => (at ? html`<wbr>${part}` : part));
+
 /** One engine's knob: what to type, and how far it can be turned. @param {Knob} knob */
 function knobLine({ title, inputs, status, why, reference, measured }) {
   const run = measured.length ? `Measured in ${measured.join(", ")}` : "Not run";
   return html`<tr data-status=${status}>
-    <th scope="row">${title}</th>
+    <th scope="row">${breaking(title)}</th>
     <td class="converted">${inputs.map(
-      (input) => html`<span class="conversion">${input.label} ${typedValue(input.value)}</span>`,
+      (input) =>
+        html`<span class="conversion">${breaking(input.label)} ${typedValue(input.value)}</span>`,
     )}</td>
     <td class="status-cell"><span class="status">${status}</span></td>
     <td class="why">${why}

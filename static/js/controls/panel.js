@@ -370,6 +370,13 @@ export function createRow({
     }
   }
 
+  /** At once: the next press of a key may come before the next frame. @param {number} next */
+  function move(next) {
+    value = next;
+    left = false;
+    onChange(next, true);
+  }
+
   /** @param {number} step */
   function go(step) {
     const next = clamp(
@@ -381,7 +388,7 @@ export function createRow({
       parameter.minimum,
       parameter.maximum,
     );
-    if (next !== value) onChange(next, true);
+    if (next !== value) move(next);
   }
 
   /** @param {KeyboardEvent} event @param {boolean} inBox */
@@ -398,8 +405,8 @@ export function createRow({
       Object.assign(keys, {
         ArrowRight: () => go(fine),
         ArrowLeft: () => go(-fine),
-        Home: () => onChange(ends()[0], true),
-        End: () => onChange(ends()[1], true),
+        Home: () => move(ends()[0] ?? value),
+        End: () => move(ends()[1] ?? value),
       });
     }
     const action = keys[event.key];

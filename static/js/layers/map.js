@@ -120,7 +120,12 @@ export function createMap(name, onPick, onSettle) {
     if (!step || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
     const nm = clamp(at.nm + step[0], low, Math.max(high, at.nm));
-    onPick(Number(nm.toPrecision(9)), Number(clamp(at.deg + step[1], 0, 90).toFixed(4)), false);
+    // At once: the next press may come before the next frame.
+    at = {
+      nm: Number(nm.toPrecision(9)),
+      deg: Number(clamp(at.deg + step[1], 0, 90).toFixed(4)),
+    };
+    onPick(at.nm, at.deg, false);
   });
   handle.addEventListener("keyup", onSettle);
 

@@ -30,22 +30,48 @@ export function readTheme(element) {
 }
 
 /** @type {Promise<void> | null} */
-let asked = null;
+let coming = null;
+/** Once it could not be had. @type {(() => void) | null} */
+let again = null;
+/** @type {(again: (() => void) | null) => void} */
+let tellMissing = () => {};
 
-/** Plotly, asked for once. @returns {Promise<void>} once its script has run */
+/**
+ * @param {(again: (() => void) | null) => void} listener is told how to ask again when Plotly could not be
+ *   had, and null when it has come
+ */
+export function onMissing(listener) {
+  tellMissing = listener;
+}
+
+/**
+ * Plotly, asked for once. Where it could not be had, whoever needs it next asks again, and so does the
+ * network that is back.
+ * @returns {Promise<void>} once its script has run
+ */
 export function library() {
-  asked ??= new Promise((run, refuse) => {
+  again?.();
+  coming ??= new Promise((run) => {
     const { href } = /** @type {HTMLLinkElement} */ (document.getElementById("plotly"));
-    const script = h("script", { src: href });
-    script.addEventListener("load", () => run());
-    script.addEventListener("error", () => {
-      asked = null;
-      script.remove();
-      refuse(new Error("Plotly could not be loaded"));
-    });
-    document.head.append(script);
+    function ask() {
+      again = null;
+      window.removeEventListener("online", ask);
+      const script = h("script", { src: href });
+      script.addEventListener("load", () => {
+        tellMissing(null);
+        run();
+      });
+      script.addEventListener("error", () => {
+        script.remove();
+        again = ask;
+        window.addEventListener("online", ask);
+        tellMissing(ask);
+      });
+      document.head.append(script);
+    }
+    ask();
   });
-  return asked;
+  return coming;
 }
 
 /**
@@ -55,18 +81,26 @@ export function library() {
  */
 export function seen(element) {
   const sheet = element.closest(".view")?.querySelector(".panel");
-  const fixed = sheet && getComputedStyle(sheet).position === "fixed";
-  const rootMargin = `0px 0px ${fixed ? -sheet.clientHeight : 0}px`;
   return new Promise((done) => {
-    const watching = new IntersectionObserver(
-      (entries) => {
-        if (!entries.some((entry) => entry.isIntersecting)) return;
-        watching.disconnect();
-        done();
-      },
-      { rootMargin },
-    );
-    watching.observe(element);
+    /** @type {IntersectionObserver | undefined} */
+    let watching;
+    // At once, and when the sheet is opened or closed or the phone is turned.
+    const sizes = new ResizeObserver(() => {
+      watching?.disconnect();
+      const fixed = sheet && getComputedStyle(sheet).position === "fixed";
+      const rootMargin = `0px 0px ${fixed ? -sheet.clientHeight : 0}px`;
+      watching = new IntersectionObserver(
+        (entries) => {
+          if (!entries.some((entry) => entry.isIntersecting)) return;
+          watching?.disconnect();
+          sizes.disconnect();
+          done();
+        },
+        { rootMargin },
+      );
+      watching.observe(element);
+    });
+    sizes.observe(sheet ?? element);
   });
 }
 

@@ -104,11 +104,16 @@ export function createPlot(element, options) {
   };
 
   let turn = 0;
+  /** @type {Promise<void> | null} */
+  let looking = null;
   const settle = async () => {
     turn += 1;
     const own = turn;
     if (!window.Plotly) {
-      if (options.meanwhile?.isConnected) await seen(area);
+      if (options.meanwhile?.isConnected) {
+        looking ??= seen(area);
+        await looking;
+      }
       await library();
       if (own !== turn) return;
     }
@@ -203,7 +208,10 @@ export function createPlot(element, options) {
           const span = Math.abs(high - low);
           return { step: span / 180, fine: span / 1800, page: span / 18 };
         },
-        onPick: options.onPick,
+        onPick(x, how) {
+          marker = { ...marker, x }; // at once: the next press may come before the next frame
+          options.onPick?.(x, how);
+        },
         onActive: (active) => {
           element.toggleAttribute("data-picking", active);
         },

@@ -52,12 +52,14 @@ export async function createUseHere(fold, { catalog, say, save }) {
       use.update(chosen, answer);
     } catch (problem) {
       if (asked !== wanted || !(problem instanceof Problem)) return;
-      const { title, detail, errors } = problem;
+      const { title, detail, errors, status } = problem;
+      if (status === 0 || status > 499) asked = ""; // it was no answer: the next occasion asks again
       use.problem({ title, lines: errors.length ? errors.map((e) => e.message) : [detail] });
     }
   }
 
   fold.addEventListener("toggle", ask);
+  window.addEventListener("online", ask);
   return {
     /** @param {State} state */
     update(state) {

@@ -71,7 +71,8 @@ export function createStage({ catalog, name, actions }) {
 
   /** @param {number} deg */
   function turn(deg) {
-    actions.set({ own_deg: clamp(deg, 0, 90) }, { history: "replace" });
+    theta = clamp(deg, 0, 90); // at once: the next step may come before the next frame
+    actions.set({ own_deg: theta }, { history: "replace" });
   }
 
   /** @param {number} deg @param {boolean} free */

@@ -85,7 +85,12 @@ export function createView({
   const firstRay = first?.querySelector(".first-ray");
   const firstCurves = first?.querySelector(".first-curves");
   if (firstRay) diagramHost.append(firstRay);
-  if (firstCurves) plotHost.append(firstCurves);
+  if (firstCurves) {
+    // For who hears the page the figure beside it stands from the start, and stays.
+    firstCurves.setAttribute("aria-hidden", "true");
+    plotHost.append(firstCurves);
+  }
+  const firstAngle = state().theta_i_deg;
   const caption = h(
     "p.hint",
     "Drag the ray, or use ← → (Shift: finer). Alt frees it from the marks.",
@@ -197,7 +202,7 @@ export function createView({
           stops().map((l) => l.deg),
           SNAP_DEGREES,
         );
-    if (next !== now?.theta_i_deg)
+    if (next !== state().theta_i_deg)
       actions.set({ theta_i_deg: clamp(next, 0, 90) }, { history: "replace" });
   }
 
@@ -206,7 +211,7 @@ export function createView({
       drag(deg, free),
     onSettle: actions.settle,
     onStep(/** @type {string} */ kind) {
-      const at = now?.theta_i_deg ?? 0;
+      const at = state().theta_i_deg; // which may be ahead of what is drawn
       const size =
         { fine: ANGLE_STEPS.fine, page: ANGLE_STEPS.page }[kind.slice(0, -1)] ?? ANGLE_STEPS.step;
       const next =
@@ -320,6 +325,9 @@ export function createView({
       };
       diagram.update(ray);
       firstRay?.remove();
+      if (next.theta_i_deg !== firstAngle)
+        for (const part of firstCurves?.querySelectorAll(".first-marker, .first-point") ?? [])
+          part.remove();
       white?.panel.update(rays, next, catalog.materials);
       split.update(/** @type {number} */ (share), /** @type {number} */ (passed), media.k_t > 0);
       setText(light, atWavelength(catalog.materials, next));
