@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from app.answers.answer import answer
-from app.answers.interface import PresetInterface, ResolvedPreset
+from app.answers.interface import REST, PresetInterface, ResolvedPreset
 from app.materials.films import Film, layer_of, read_layers, resolve_film
 from app.materials.media import Resolved
 from app.optics import films
@@ -17,12 +17,16 @@ from app.optics.errors import NotAllowed
 from app.optics.incidence import Incidence
 from app.optics.stack import D_LINE_NM, Stack
 
-_REST = "angles from the surface normal; T = 1 - R is the power that enters the second medium"
 _REST_OF_FILMS = (
     "angles from the surface normal; T is the power that enters the second medium, A what the layers "
     "absorb, R + T + A = 1"
 )
-
+_REST_OF_EITHER = (
+    "angles from the surface normal; T is the power that enters the second medium, A what layers "
+    "absorb, R + T + A = 1, and T = 1 - R without layers"
+)
+CONVENTION_OF_ROWS = f"{CORE.text}; {_REST_OF_EITHER}"
+"""Where some have layers and some have none."""
 
 _REST_OF_ABSORBING = (
     "the incident medium is n_i + i k_i in exp(-i w t); R and T are parts of the power that the "
@@ -35,7 +39,7 @@ def convention_text(
     convention: Convention = CORE, *, layers: bool = False, k_i: float = 0.0
 ) -> str:
     """The convention of an answer in words."""
-    rest = _REST_OF_ABSORBING if k_i > 0.0 else _REST_OF_FILMS if layers else _REST
+    rest = _REST_OF_ABSORBING if k_i > 0.0 else _REST_OF_FILMS if layers else REST
     return f"{convention.text}; {rest}"
 
 

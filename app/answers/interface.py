@@ -6,13 +6,12 @@ from app.answers.answer import answer, filled, number_or_none
 from app.materials.media import Resolved
 from app.materials.schema import Confidence, RelativeTo, WavelengthIn
 from app.optics.angles import LANDMARKS
+from app.optics.ellipsometry import CORE
 from app.optics.interface import Interface, Kind
 from app.optics.specular import F82
 
-CONVENTION = (
-    "time factor exp(-i w t); N = n_t + i k_t with k_t >= 0; r_p = -r_s at normal incidence; "
-    "angles from the surface normal; T = 1 - R is the power that enters the second medium"
-)
+REST = "angles from the surface normal; T = 1 - R is the power that enters the second medium"
+CONVENTION = f"{CORE.text}; {REST}"
 
 
 class PresetInterface(Interface):

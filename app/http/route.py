@@ -192,15 +192,14 @@ def refuse_unknown_and_repeated(
 
 def explain(error: ValidationError, fields: Mapping[str, FieldInfo]) -> list[ParameterError]:
     """Turn pydantic's errors into ours: the parameter, its value and the whole range allowed."""
-    return [
-        {
-            "parameter": str(e["loc"][0]),
-            "value": e["input"],
-            "message": instead(str(e["loc"][0]), e["input"])
-            or told_by(e) + _range(fields[str(e["loc"][0])]),
-        }
-        for e in error.errors(include_url=False, include_context=False)
-    ]
+    told: list[ParameterError] = []
+    for e in error.errors(include_url=False, include_context=False):
+        name = str(e["loc"][0])
+        # Of a parameter that was left out pydantic's input is all that was given.
+        value = None if e["type"] == "missing" else e["input"]
+        message = instead(name, value) or told_by(e) + _range(fields[name])
+        told.append({"parameter": name, "value": value, "message": message})
+    return told
 
 
 def _range(field: FieldInfo) -> str:

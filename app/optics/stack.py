@@ -151,7 +151,7 @@ class Stack:
     OutOfRange
         If a value is out of bounds, NaN or infinite.
     NotAllowed
-        If there are more than 1000 layers.
+        If there are more than 1000 layers, or one is thicker than 1e10 wavelengths.
 
     Examples
     --------
@@ -190,10 +190,8 @@ class Stack:
         for layer in layers:
             many = layer.thickness_nm > _MOST_WAVELENGTHS * self.wavelength_nm
             if many.any():
-                thickest = float(layer.thickness_nm.max())
-                raise OutOfRange(
-                    "thickness_nm", thickest, f"at most {_MOST_WAVELENGTHS:g} wavelengths"
-                )
+                thickest = f"{float(layer.thickness_nm.max()):g} nm"
+                raise NotAllowed("layers", thickest, f"at most {_MOST_WAVELENGTHS:g} wavelengths")
 
     @property
     def n_i(self) -> Array:

@@ -211,6 +211,7 @@ def test_a_wanted_color_is_found_again(ask: Ask) -> None:
             "samples",
             "not beside theta_i_deg",
         ),
+        ("/snell", {"layers": "1.5:1e9", "wavelength_nm": 0.01}, "layers", "1e+10 wavelengths"),
         (
             "/films/color",
             {"layers": "1.33", "thickness_nm": "1", "samples": 3, "theta_i_rad": "1"},
@@ -268,6 +269,12 @@ def test_refusals(ask: Ask, path: str, query: dict[str, Any], name: str, told: s
     error = error_of(ask(path, **query))
     assert error["parameter"] == name
     assert told in error["message"].lower() + error["message"]
+
+
+def test_a_parameter_that_was_left_out_has_no_value(ask: Ask) -> None:
+    answer = ask("/films/color", layers="1.33")
+    assert error_of(answer)["value"] is None
+    assert answer.json()["detail"] == "thickness_nm: Field required"
 
 
 def test_a_pane_and_its_modifiers(ask: Ask) -> None:

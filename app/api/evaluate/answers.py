@@ -13,7 +13,7 @@ import numpy as np
 import orjson
 from numpy.typing import NDArray
 
-from app.answers.interface import CONVENTION
+from app.answers.films import CONVENTION_OF_ROWS
 from app.api.evaluate.pieces import MOST_TOLD, Piece
 from app.batch.evaluation import Outcome
 from app.batch.rows import Fault
@@ -62,7 +62,7 @@ class Writer(NamedTuple):
 
 
 def _json_head() -> bytes:
-    return b'{"convention":' + orjson.dumps(CONVENTION) + b',"results":['
+    return b'{"convention":' + orjson.dumps(CONVENTION_OF_ROWS) + b',"results":['
 
 
 def _json_piece(piece: Piece, values: Array, wrong: Mapping[int, Fault], left: int) -> Written:
