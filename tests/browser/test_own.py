@@ -69,6 +69,21 @@ def test_what_is_not_told_is_asked_in_the_sheet(page: Page) -> None:
     expect(sheet.locator("figcaption")).to_contain_text("300 to 2500 nm")
 
 
+def test_what_is_asked_is_answered_and_set_back_by_keys(page: Page) -> None:
+    """The focus stays in the sheet when what it was on has gone."""
+    page = opened(page)
+    sheet_from_picker(page)
+    sheet = page.get_by_role("dialog")
+    sheet.get_by_label("A file of n and k").set_input_files(FILES / "headerless-um-or-ev.txt")
+    expect(sheet.get_by_role("alert")).to_contain_text("Needed: the unit of 0.3 to 2.5")
+    sheet.get_by_role("button", name="unit = eV").focus()
+    page.keyboard.press("Enter")
+    expect(sheet).to_contain_text("unit = eV: set by hand")
+    expect(sheet.get_by_role("button", name="found out again")).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(sheet.get_by_role("button", name="unit = um")).to_be_focused()
+
+
 def test_an_assumption_is_flipped(quiet_page: Page) -> None:
     page = opened(quiet_page)
     sheet_from_picker(page)

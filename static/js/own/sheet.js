@@ -22,6 +22,8 @@ const CONTROLS = [
   ["glass", "Glass", []],
   ["format", "Format", []],
 ];
+/** What a problem offers, as unit=um. */
+const OFFERED = /\b([a-z_]+)=([\w+-]+(?:,[\w+-]+)*)/gu;
 const PASTED = "pasted.txt";
 const WIDTH = 480;
 const HEIGHT = 150;
@@ -100,6 +102,21 @@ export async function openSheet({ catalog, set, say }, { files = [], side = "mat
     say(`${name} is a medium now`);
   }
 
+  /** A value that a click or a key sets. @param {string} what @param {string} value @param {string} words */
+  const setter = (what, value, words = `${what} = ${value}`) =>
+    html` <button type="button" class="quiet flip" @click=${() => choose(what, value)}>${words}</button>`;
+
+  /** What is wrong or asked, and values that would answer it. @param {Problem} told */
+  function refused({ errors, detail, title }) {
+    const said = errors.map((e) => e.message).join("; ");
+    const offered = [...said.matchAll(OFFERED)].filter(([, what]) =>
+      CONTROLS.some(([name]) => name === what),
+    );
+    return html`<div class="wrong"><p>${said ? `Needed: ${said}` : detail || title}</p>${offered.map(
+      ([, what = "", value = ""]) => setter(what, value),
+    )}</div>`;
+  }
+
   /** @param {[string, string, string[]]} control */
   function field([name, label, values]) {
     const value = byHand[name] ?? "";
@@ -134,11 +151,14 @@ export async function openSheet({ catalog, set, say }, { files = [], side = "mat
         ${told.assumed.map(
           (/** @type {any} */ one) =>
             html`<li><b>${one.what} = ${one.value}</b>: ${one.why}${one.alternatives.map(
-              (/** @type {string} */ other) => html` <button type="button" class="quiet"
-                @click=${() => choose(one.what, other)}>${one.what} = ${other}</button>`,
+              (/** @type {string} */ other) => setter(one.what, other),
             )}</li>`,
         )}
         ${told.assumed.length ? nothing : html`<li>nothing</li>`}
+        ${CONTROLS.filter(([what]) => byHand[what]).map(
+          ([what]) =>
+            html`<li class="set"><b>${what} = ${byHand[what]}</b>: set by hand${setter(what, "", "found out again")}</li>`,
+        )}
       </ul>
       ${
         told.left_out.length || told.warnings.length || told.merged
@@ -191,6 +211,7 @@ export async function openSheet({ catalog, set, say }, { files = [], side = "mat
   }
 
   function draw() {
+    const held = dialog.contains(document.activeElement);
     render(
       html`<header>
           <h2 id="own-title">Your own material</h2>
@@ -207,11 +228,7 @@ export async function openSheet({ catalog, set, say }, { files = [], side = "mat
                 if (value.trim()) take([new File([value], PASTED, { type: "text/plain" })]);
               }}></textarea></label>
         </div>
-        <div role="alert">${
-          problem
-            ? html`<p class="wrong">${problem.errors.map((e) => e.message).join("; ") || problem.detail || problem.title}</p>`
-            : nothing
-        }</div>
+        <div role="alert">${problem ? refused(problem) : nothing}</div>
         ${answer ? report() : nothing}
         ${
           chosen.length
@@ -222,6 +239,11 @@ export async function openSheet({ catalog, set, say }, { files = [], side = "mat
         ${kept()}`,
       dialog,
     );
+    // A button that set something is gone with what it stood beside.
+    if (!held || dialog.contains(document.activeElement)) return;
+    /** @type {HTMLElement | null} */
+    const near = dialog.querySelector(".set:last-child button") ?? dialog.querySelector(".flip");
+    (near ?? dialog.querySelector("button"))?.focus();
   }
 
   dialog.addEventListener("click", (event) => {
