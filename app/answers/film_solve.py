@@ -29,6 +29,9 @@ MOST_SOLUTIONS = 20
 
 _HEX = re.compile(r"#?([0-9a-fA-F]{6})")
 _ZOOMS, _POINTS = 7, 33
+_ROUNDING = 1e-9
+
+NO_DIFFERENCE = "the thickness of this layer makes no difference here: the thinnest stands for all"
 
 
 @answer
@@ -106,6 +109,7 @@ def film_solutions(
     """
     incidence = Incidence.from_degrees(theta_i_deg)
     wanted = _lab_of(color) if target == "color" else None
+    warnings: list[str] = []
     if target == "quarter_wave":
         media = replace(media, layers=_quarter_waves(media, wavelength_nm, incidence, repeat))
         found = [media]
@@ -122,7 +126,8 @@ def film_solutions(
             replace(media, layers=_with_thickness(media.layers, place, thickness))
             for thickness in least(measure, thickness_nm)
         ]
-    warnings: list[str] = []
+        if np.ptp(measure(thickness_nm)) < _ROUNDING < np.ptp(thickness_nm):
+            warnings.append(NO_DIFFERENCE)
     solutions = []
     for one in found:
         solution, told = _solution(one, wavelength_nm, incidence, wanted)
@@ -143,6 +148,8 @@ def film_solutions(
 def least(measure: Callable[[Array], Array], values: Array) -> list[float]:
     """Values where a measure is least within their surroundings, the best first.
 
+    Where it is the same everywhere, the least value stands for all.
+
     Parameters
     ----------
     measure
@@ -152,13 +159,16 @@ def least(measure: Callable[[Array], Array], values: Array) -> list[float]:
     """
     at = np.unique(values)
     height = measure(at)
+    if np.ptp(height) < _ROUNDING:
+        return [float(at[0])]
     if at.size < 3:
         return [float(x) for x in at[np.argsort(height, kind="stable")]]
     inside = (height[1:-1] <= height[:-2]) & (height[1:-1] < height[2:])
     lows = 1 + np.flatnonzero(inside)
-    # An end counts where it is better than all that lies between: it may be the foot of a slope.
+    # An end counts where it is the foot of a slope, and better than all that lies between.
     ends = np.array([0, at.size - 1])
-    lows = np.append(lows, ends[height[ends] < height[lows].min(initial=np.inf)])
+    feet = height[ends] < np.minimum(height[[1, -2]], height[lows].min(initial=np.inf))
+    lows = np.append(lows, ends[feet])
     best = lows[np.argsort(height[lows], kind="stable")][:MOST_SOLUTIONS]
     found = []
     for index in best.tolist():

@@ -260,11 +260,11 @@ class FilmSolveQuery(FilmQuery, AngleQuery, DigitsQuery, LongQuery):
         "wavelength_nm thick, at this angle.",
     )
     layer: Count = _layer_number("whose thickness is looked for")
-    wavelength_nm: Number = wavelength(550.0, "Wavelength in nm; that of a color is only told R.")
+    wavelength_nm: Number = wavelength(550.0, "Wavelength in nm; of a color R is told there.")
     thickness_nm: Thicknesses = Field(
         tuple(np.linspace(0.0, 1000.0, 1001).tolist()),
         description=f"Where to look, in nm: {SWEEP}; 0..1000:1001 unless given. The best are found "
-        "to all digits between two of them.",
+        "between two of them.",
         examples=["0..500:501"],
     )
     color: str | None = Field(

@@ -277,6 +277,25 @@ def test_a_parameter_that_was_left_out_has_no_value(ask: Ask) -> None:
     assert answer.json()["detail"] == "thickness_nm: Field required"
 
 
+@pytest.mark.parametrize(
+    "query",
+    [{"layers": "1.38", "n_t": 1.38}, {"layers": "1.38", "theta_i_deg": 90}],
+    ids=["of the medium's index", "grazing"],
+)
+def test_a_thickness_that_makes_no_difference(ask: Ask, query: dict[str, Any]) -> None:
+    told = json_of(ask("/films/solve", **query))
+    assert [each["thickness_nm"] for each in told["solutions"]] == [[0.0]]
+    assert told["warnings"] == [
+        "the thickness of this layer makes no difference here: the thinnest stands for all"
+    ]
+
+
+def test_the_foot_of_a_slope_is_the_one_solution(ask: Ask) -> None:
+    told = json_of(ask("/films/solve", layers="1.38", thickness_nm="10..50:41"))
+    assert [each["thickness_nm"] for each in told["solutions"]] == [[50.0]]
+    assert told["warnings"] == []
+
+
 def test_a_pane_and_its_modifiers(ask: Ask) -> None:
     told = json_of(ask("/films/pane", samples=91))
     values = curves(told)
