@@ -7,8 +7,8 @@
 # (as if swapped), at 60 degrees 0.087 and 0.116 for 0.183 and 0.0015. A quarter wave of 1.38 on it, at 60
 # degrees: R_p 0.0548, nine times the true 0.0060.
 # Measured 2026-11-30 with prysm 0.21.1, against tmm 0.2.0 and, for bare glass, Fresnel's equations.
-# Touches: nothing of ours; films at oblique incidence are compared with tmm and with 25-digit references in
-# tests/optics/test_films.py.
+# Touches: that s is never reflected less than p, in tests/optics/test_properties.py; films at oblique incidence
+# are compared with tmm and with 25-digit references in tests/optics/test_films.py.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
