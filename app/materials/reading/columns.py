@@ -19,14 +19,17 @@ ROLES = (*ABSCISSAE, *(name for pair in PAIRS for name in pair), "-")
 
 _UNIT = re.compile(r"[\(\[\{/,_ ]\s*([^\(\)\[\]\{\}/,_ ]+(?:\^?\(?[-−⁻][1¹]\)?)?)\s*[\)\]\}]?\s*$")
 _NAMES = {
-    "wavelength": r"wl|w|wave|wvl|lam|lambda|λ|wave-?len(gth)?s?|wellenl(ä|ae)nge|longueurd.?onde",
-    "energy": r"e|energy|photonenergy|energie|hv|hν|ħω|hbaromega",
+    "wavelength": r"wl|w|wave|wvl|lam|lambda|λ|wave-?len(gth)?s?|wellenl(ä|ae)nge|longueurd.?onde|"
+    r"longituddeonda|lunghezzad.?onda",
+    "energy": r"e|energy|photonenergy|[eé]nergie|energ[ií]a|hv|hν|ħω|hbaromega",
     "wavenumber": r"wavenumbers?|wellenzahl|sigma|ν̃",
     "frequency": r"f|freq|frequency|frequenz|nu|ν",
     "n": r"n|nr|n_?t|eta|index(ofrefraction)?|ior|"
-    r"ri|refr?(active)?(index|ind)|ref\.?index|indexn|brechungsindex",
+    r"ri|refr?(active)?(index|ind)|ref\.?index|indexn|brechungsindex|"
+    r"indice(der[eé]fraction)?|[ií]ndice(derefracci[oó]n)?|indicedirifrazione",
     "k": r"k|ni|k_?t|kappa|κ|ext(inction)?\.?(coeff?(icient)?\.?)?|"
-    r"extinktionskoeffizient|absorptionindex",
+    r"extinktionskoeffizient|absorptionindex|coefficientd.?extinction|"
+    r"coeficientedeextinci[oó]n|coefficientediestinzione",
     "eps1": r"(e|eps|epsilon|ε|er|die)_?(1|₁|r|')",
     "eps2": r"(e|eps|epsilon|ε|die)_?(2|₂|i|''|\")",
     "delta": r"delta|δ",
@@ -133,8 +136,8 @@ def columns_named(
         called = ", ".join(cell[:40] for cell in doubtful[:12])
         raise Undecided(
             "columns",
-            f"what the {width} columns hold: a line calls them {called}; say it as wavelength,n,k "
-            "with - for a column that is not used",
+            f"what the {width} columns hold: a line calls them {called}; say it as wavelength,n,k or "
+            "energy,eps1,eps2 with - for a column that is not used",
         )
     return None
 
@@ -214,8 +217,8 @@ def by_number(table: Array, notes: Notes) -> tuple[str, ...]:
         return columns3
     raise Undecided(
         "columns",
-        f"what the {width} columns hold: no line names them; say it as wavelength,n,k with - for a "
-        "column that is not used",
+        f"what the {width} columns hold: no line names them; say it as wavelength,n,k or "
+        "energy,eps1,eps2 with - for a column that is not used",
     )
 
 

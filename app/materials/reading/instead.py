@@ -26,6 +26,8 @@ def instead(lines: Sequence[str]) -> str:
         return f"{ROWS}; this is JSON: write it as a table with a line a wavelength"
     if first[0] == "<":
         return f"{ROWS}; this is HTML or XML: save the table in it as CSV"
+    if first.startswith("%PDF"):
+        return f"{ROWS}; this is PDF: copy the table in it"
     sample = [line for line in lines if any(c.isdigit() for c in line) and not COMMENT.match(line)]
     found = [one for layout in _LAYOUTS if (one := _in_the_way(sample[:_SAMPLE], layout))]
     return f"{ROWS}; {max(found, key=lambda one: one[0])[1]}" if found else ROWS

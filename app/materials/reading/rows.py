@@ -13,6 +13,10 @@ from app.materials.reading.report import Notes, Unreadable
 COMMENT = re.compile(r"\s*(?:[#;%!*]|//|['\"](?!\s*[-+.\d]))")
 """How lines begin that are no data; a number may stand in quotes."""
 
+_MARKS = ("#", "!", "%", "//")
+_TAIL = re.compile(r"\s(?:[#!%]|//).*$")
+"""A comment behind the numbers of a line."""
+
 _SEPARATORS = (";", "\t", "|", ",", None)  # None: blanks
 _SAMPLE = 200
 _NOTHING = frozenset(
@@ -94,6 +98,8 @@ class Layout:
 
     def row(self, line: str) -> list[float] | None:
         """Read a line of at least two numbers, None where it is none; NaN for empty cells."""
+        if any(mark in line for mark in _MARKS):
+            line = _TAIL.sub("", line)
         cells = self._all_cells(line)
         if not 2 <= len(cells) <= _MOST_COLUMNS or not any(cells[1:]):
             return None

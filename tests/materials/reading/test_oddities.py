@@ -170,6 +170,7 @@ INSTEAD = [
     ("nm,N\n400,(1.66-1.95j)\n500,(0.85-1.9j)\n", "column 2 holds n and k in one"),
     ("wavelength (nm),400,500,600\nn,1.66,0.85,0.25\nk,1.95,1.9,3\n", "turn the table"),
     ('{"nm": [400, 500], "n": [1.5, 1.6]}', "this is JSON"),
+    ("%PDF-1.4\n1 0 obj\n", "this is PDF"),
     ("<table><tr><td>400</td><td>1.5</td></tr></table>", "this is HTML"),
 ]
 
@@ -186,6 +187,31 @@ def test_what_is_no_table_is_told_what_to_do(text: str, words: str) -> None:
 def test_endless_cells_take_no_time(cell: str) -> None:
     with pytest.raises(Unreadable):
         reading(f"nm;n\n400;{cell}\n500;{cell}x\n")
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        "Longueur d'onde (nm);Indice de réfraction;Coefficient d'extinction",
+        "Longitud de onda (nm);Índice de refracción;Coeficiente de extinción",
+        "Lunghezza d'onda (nm);Indice di rifrazione;Coefficiente di estinzione",
+        "Wellenlänge (nm);Brechungsindex;Extinktionskoeffizient",
+    ],
+)
+def test_columns_in_other_languages(head: str) -> None:
+    text = f"{head}\n400;1,66;1,95\n500;0,85;1,9\n600;0,25;2,99\n"
+    assert rows(reading(text, encoding="latin-1")) == GOLD
+
+
+def test_comments_behind_numbers_are_no_cells() -> None:
+    text = "# nm n k\n400 1.66 1.95 # first\n500 0.85 1.9\n600 0.25 2.99 ! noisy, 2 %\n"
+    assert rows(reading(text, "x.txt")) == GOLD
+
+
+def test_a_catalog_without_a_range_says_so() -> None:
+    text = "NM X 2 0 1.5168 60 0\nCD 1.03961212 0.006 0.231 0.02 1.01 103.5\n"
+    with pytest.raises(Unreadable, match="range of wavelengths on the line LD"):
+        reading(text, "x.agf")
 
 
 PARTS = {

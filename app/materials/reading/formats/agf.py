@@ -42,7 +42,7 @@ def _sniff(document: Document) -> str | None:
     starts = {line.split(None, 1)[0] for line in document.lines if line.strip()}
     if {"NM", "CD", "LD"} <= starts:
         return "its lines start with NM, CD and LD, as those of Zemax catalogs do"
-    return None
+    return "it ends in .agf, as catalogs of Zemax do" if document.suffix == ".agf" else None
 
 
 def _glasses(document: Document) -> dict[str, _Glass]:
