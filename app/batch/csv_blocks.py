@@ -68,7 +68,7 @@ class CsvBlocks:
     Raises
     ------
     pyarrow.ArrowException
-        If there is no header.
+        If there is no header, or it is no UTF-8.
     """
 
     def __init__(
@@ -80,6 +80,8 @@ class CsvBlocks:
             sample = text.read(_SAMPLE).split("\n")
         if not head.strip():
             raise pa.ArrowInvalid("no header row")
+        if _SURROGATES.search(head):
+            raise pa.ArrowInvalid("the header is no UTF-8; save the file as CSV in UTF-8")
         self._separator = _separator(head, known)
         names = next(csv.reader([head], delimiter=self._separator))
         self._decimal = _decimal(sample, self._separator)

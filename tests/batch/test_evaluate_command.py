@@ -247,6 +247,14 @@ def test_a_wrong_cell_far_down_costs_one_row(tmp_path: Path) -> None:
     assert table["value"][at].as_py() is None
 
 
+@pytest.mark.parametrize("encoding", ["latin-1", "utf-16"])
+def test_a_header_that_is_no_utf_8_is_told(tmp_path: Path, encoding: str) -> None:
+    path = tmp_path / "rows.csv"
+    path.write_text("n_t;Wellenlänge\n1,5;550\n", encoding)
+    code, printed = run(path)
+    assert (code, "save the file as CSV in UTF-8" in printed) == (1, True)
+
+
 def test_rows_of_parquet_are_told_by_number(tmp_path: Path) -> None:
     path = tmp_path / "rows.parquet"
     n_t = np.full(70_000, 1.5)
