@@ -122,6 +122,17 @@ def test_a_layer_that_cannot_be_is_told_with_the_way_back(page: Page, layers: st
     expect(page.locator(".film-numbers dd").first).to_be_visible()
 
 
+def test_a_shortcut_that_nobody_knows_is_told_with_the_way_back(page: Page) -> None:
+    page.goto("/?view=films&layers=1.5:100&film_model=nonsense")
+    alert = page.get_by_role("alert").filter(has_text="models = nonsense")
+    expect(alert).to_be_visible()
+    page.get_by_role("button", name="Show the exact colors alone").click()
+    expect(page.locator(".film-canvas").first).to_be_visible()
+    expect(page.locator(".film-swatch", has_text="reflected")).to_be_visible()
+    assert "film_model" not in page.url
+    expect(alert).to_have_count(0)
+
+
 def test_a_film_is_taken_to_an_engine(page: Page) -> None:
     page.goto("/?view=films&layers=1.46:250&material=Si&use_in=gltf")
     panel = page.locator(".take")

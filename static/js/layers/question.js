@@ -3,7 +3,7 @@
 import { isDispersive } from "../media/media.js";
 import { mediaQuery } from "../state/state.js";
 import { text } from "../state/text.js";
-import { readLayers } from "./layers.js";
+import { MOST_LAYERS, readLayers } from "./layers.js";
 
 const AIR = 0.001; // how far n_i may be from 1 where a shortcut takes air for granted
 
@@ -11,7 +11,7 @@ const AIR = 0.001; // how far n_i may be from 1 where a shortcut takes air for g
 export const layersField = () =>
   text(
     (given) => readLayers(given) !== null,
-    "allowed are MEDIUM:NM, or MEDIUM:NM:incoherent, separated by commas",
+    `allowed are at most ${MOST_LAYERS} of MEDIUM:NM, or MEDIUM:NM:incoherent, separated by commas`,
     "",
   );
 

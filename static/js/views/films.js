@@ -6,7 +6,7 @@ import { createBeside } from "../films/beside.js";
 import { createControls } from "../films/controls.js";
 import { createCurves } from "../films/curves.js";
 import { EXAMPLES, isShown, stateOf } from "../films/examples.js";
-import { filled, filmFields, isAskedFor, wavelengthOf } from "../films/fields.js";
+import { filled, filmFields, isAskedFor, NO_MODEL, wavelengthOf } from "../films/fields.js";
 import { createNumbers } from "../films/numbers.js";
 import { createDrawing } from "../layers/drawing.js";
 import { placeOf, readLayers, withThickness } from "../layers/layers.js";
@@ -73,7 +73,9 @@ export function createView(page) {
   const warned = h("p.reason");
   const onBall = h("p.exports");
   const newBall = createChanged();
-  const mapTrouble = h("p.row-error", { role: "alert" });
+  const ofMap = createTrouble("Show the exact colors alone", () =>
+    actions.set({ film_model: NO_MODEL }),
+  );
   element.append(
     controls.element,
     h("section.column.film-choice", { "aria-label": "Films to start from" }, examples.element),
@@ -91,7 +93,7 @@ export function createView(page) {
       "section.column.film-colors",
       { "aria-label": "Colors" },
       h("div.heading", h("h2", "Colors over thickness and angle"), onBall),
-      mapTrouble,
+      ofMap.element,
       map.element,
       said,
       warned,
@@ -172,8 +174,7 @@ export function createView(page) {
       .map((name) => problems.of(name, given))
       .find(Boolean);
     trouble.update(problem, true);
-    const ofMap = problem ? undefined : problems.of("map", given);
-    setText(mapTrouble, ofMap ? ofMap.lines.join(" · ") || ofMap.title : "");
+    ofMap.update(problem ? undefined : problems.of("map", given), isAskedFor(now).wanted);
   }
 
   return {
@@ -186,8 +187,9 @@ export function createView(page) {
     /** @param {State} now @param {Record<string, any>} answers */
     sentence(now, { here, reflected }) {
       if (!here) return "";
-      const color = reflected?.colors?.[0]?.hex?.[0]?.[0] ?? "";
-      return `At ${plain(wavelengthOf(now), 5)} nm ${percent(here.R)} reflected, ${percent(here.T)} transmitted, ${percent(here.A ?? 0)} absorbed. Reflected color ${color}`;
+      const color = reflected?.colors?.[0]?.hex?.[0]?.[0];
+      const seen = color ? ` Reflected color ${color}` : "";
+      return `At ${plain(wavelengthOf(now), 5)} nm ${percent(here.R)} reflected, ${percent(here.T)} transmitted, ${percent(here.A ?? 0)} absorbed.${seen}`;
     },
 
     /** @param {string} name @param {import('../page/trouble.js').Problem} problem */
