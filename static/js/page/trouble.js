@@ -3,8 +3,7 @@
 import { h, setText } from "./dom.js";
 import { loadStyle } from "./style.js";
 
-/** @type {Promise<void> | undefined} */
-let styled;
+let styled = false;
 
 /** @typedef {{title: string, lines: string[]}} Problem */
 
@@ -39,7 +38,8 @@ export function createProblems(told) {
  * @param {() => void} onBack
  */
 export function createTrouble(label, onBack) {
-  styled ??= loadStyle("css/trouble.css");
+  if (!styled) void loadStyle("css/trouble.css");
+  styled = true;
   const words = h("p.row-error");
   const back = h("button.quiet", { type: "button", onclick: onBack }, label);
   const element = h("div.trouble", { role: "alert" }, words, back);
