@@ -277,3 +277,5 @@ def test_an_own_material_can_be_a_layer(ask: Ask) -> None:
     assert told["layers"][0]["n"] == pytest.approx(1.4 + 0.1 * np.sin(10.0), abs=1e-4)
     color = json_of(ask("/films/color", layers=f"{own}:120", thickness_nm="0,120", n_t=1.5))
     assert color["media"]["layers"][0]["medium"] == own
+    said = [warning for warning in color["warnings"] if "k is not known" in warning]
+    assert said == ["own-wavy: k is not known and counts as 0"]  # and not all its data

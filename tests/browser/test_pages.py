@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.explore_page import opened
@@ -42,6 +43,18 @@ def test_a_page_is_found_by_keys_and_its_link_shows_it_elsewhere(
     expect(other.get_by_label("Second medium")).to_have_value(re.compile(r"^SF6 \(HIKARI\)"))
     expect(other.get_by_text(re.compile("% reflected")).first).to_have_text(said.inner_text())
     other.context.close()
+
+
+@pytest.mark.parametrize(
+    ("link", "words"),
+    [("main/Si/Daub", "this page has k alone"), ("main/Ag/Johnsen", "main/Ag/Johnson")],
+)
+def test_a_link_to_a_page_that_is_none_says_what_the_server_says(
+    page: Page, link: str, words: str
+) -> None:
+    """The browser notes the refusal on its console, so the page is not quiet."""
+    page.goto(f"/?material=rii:{link}")
+    expect(page.get_by_role("alert").filter(has_text="not valid")).to_contain_text(words)
 
 
 def test_what_history_names_is_brought_after_a_reload(quiet_page: Page) -> None:

@@ -10,7 +10,7 @@ import {
   mediaAt,
   spreadPaths,
 } from "../../static/js/media/media.js";
-import { allowedWords, distance } from "../../static/js/state/state.js";
+import { allowedWords, distance, refusals } from "../../static/js/state/state.js";
 
 /** @param {string} id @param {any} [more] @returns {any} */
 const medium = (id, more = {}) => ({
@@ -94,6 +94,14 @@ test("a medium is found by its other names and its authors once they are known",
 
 test("a link to a material of one's own that was cut says so, and names no other", () => {
   assert.match(allowedWords(["Au", "Ag"], "own:AYQJ"), /cut or changed on its way/);
+  refusals.set("rii:main/Si/Daub", "a page with n; this page has k alone");
+  assert.match(
+    allowedWords(
+      MEDIA.map(({ id }) => id),
+      "rii:main/Si/Daub",
+    ),
+    /has k alone$/,
+  );
 });
 
 test("of many words the nearest are named, of few all", () => {

@@ -1,6 +1,8 @@
 /** Materials of one's own: rows of the catalog whose id is their data, kept in this browser. */
 
-import { add, rowOf } from "../media/brought.js";
+import { add, isPage, rowOf } from "../media/brought.js";
+import { Problem } from "../server/api.js";
+import { refusals } from "../state/state.js";
 
 const PLACE = "own-materials";
 const MOST_KEPT = 40;
@@ -54,9 +56,13 @@ export async function bring({ materials }, search) {
   const linked = [...new URLSearchParams(search).values()].flatMap(
     (text) => text.match(BROUGHT) ?? [],
   );
-  const rows = await Promise.allSettled(
-    [...new Set(linked)].filter((id) => !materials.some((m) => m.id === id)).map(rowOf),
-  );
+  const ids = [...new Set(linked)].filter((id) => !materials.some((m) => m.id === id));
+  const rows = await Promise.allSettled(ids.map(rowOf));
   // One that is broken stays out, and the link is told to name no medium.
-  for (const row of rows) if (row.status === "fulfilled") add(materials, row.value);
+  for (const [at, row] of rows.entries()) {
+    const id = ids[at] ?? "";
+    if (row.status === "fulfilled") add(materials, row.value);
+    else if (isPage(id) && row.reason instanceof Problem && row.reason.errors[0])
+      refusals.set(id, row.reason.errors[0].message);
+  }
 }

@@ -251,12 +251,17 @@ export function distance(a, b) {
   return row[b.length] ?? 0;
 }
 
+/** What the server said of words that are none: of pages that are not there, or refused. @type {Map<string, string>} */
+export const refusals = new Map();
+
 /**
  * The words allowed: all where they are few, else those spelled most like the one that was given.
  * @param {readonly string[]} options
  * @param {string} word
  */
 export function allowedWords(options, word) {
+  const said = refusals.get(word);
+  if (said !== undefined) return `allowed is ${said}`;
   if (word.startsWith("own:"))
     return "it carries no material: it was cut or changed on its way; copy the whole link";
   if (options.length <= MOST_NAMED) return `allowed is one of ${options.join(", ")}`;
