@@ -1,6 +1,7 @@
 """The Films view: layers that are dragged, their curves and their colors."""
 
 import re
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -120,6 +121,28 @@ def test_a_layer_that_cannot_be_is_told_with_the_way_back(page: Page, layers: st
     expect(alert.first).to_be_visible()
     page.get_by_role("button", name="Back to a coating of glass").click()
     expect(page.locator(".film-numbers dd").first).to_be_visible()
+
+
+def test_the_map_of_colors_is_saved(quiet_page: Page, tmp_path: Path) -> None:
+    page = quiet_page
+    page.goto("/?view=films&layers=1.33:330&film_model=cycles_film")
+    expect(page.locator(".film-off")).to_contain_text("in the mean")
+    for kind in ("csv", "svg", "png"):
+        with page.expect_download() as download:
+            page.get_by_role("button", name=f"Save the colors as {kind.upper()}").click()
+        download.value.save_as(tmp_path / f"map.{kind}")
+    lines = (tmp_path / "map.csv").read_text().splitlines()
+    query = "layers=1.33&thickness_nm=0..1000:256&samples=91&models=cycles_film&digits=4"
+    asked = page.request.get(f"/api/v1/films/color?{query}&format=csv").text().splitlines()
+    assert lines[0] == asked[0]
+    assert len(lines) == len(asked) == 1 + 256 * 91
+    mine, theirs = (
+        dict(zip(of[0].split(","), of[5000].split(","), strict=True)) for of in (lines, asked)
+    )
+    for name, value in theirs.items():
+        assert mine[name] == value or float(mine[name]) == pytest.approx(float(value)), name
+    assert "thickness of layer 1 (nm)" in (tmp_path / "map.svg").read_text()
+    assert (tmp_path / "map.png").read_bytes().startswith(b"\x89PNG")
 
 
 def test_a_shortcut_that_nobody_knows_is_told_with_the_way_back(page: Page) -> None:

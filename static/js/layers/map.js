@@ -76,6 +76,12 @@ export function createMap(name, onPick, onSettle) {
   let dragging = false;
   const changed = createChanged();
   const newTicks = createChanged();
+  /** What stands at the axes. */
+  let words = {
+    x: /** @type {{share: number, text: string}[]} */ ([]),
+    y: /** @type {{share: number, text: string}[]} */ ([]),
+    title: "",
+  };
 
   const ends = () => ({ low: shown?.thickness_nm[0] ?? 0, high: shown?.thickness_nm.at(-1) ?? 1 });
 
@@ -141,6 +147,12 @@ export function createMap(name, onPick, onSettle) {
 
   return {
     element,
+    /** @param {'png' | 'svg' | 'csv'} format @param {string} caption */
+    async file(format, caption) {
+      if (!shown) throw new Error("there is no map yet");
+      const { mapFile } = await import("./map-file.js");
+      return mapFile(format, canvas, shown, { ...words, caption });
+    },
     /** The cell where the state is. @param {State} now @param {number} nm @returns {{row: number, column: number} | null} */
     cell(now, nm) {
       if (!shown) return null;
@@ -173,15 +185,17 @@ export function createMap(name, onPick, onSettle) {
         const unit = /[^\d.]+$/u.exec(thicknessText(high))?.[0].trim() ?? "nm";
         const size = { nm: 1, µm: 1e3, mm: 1e6 }[unit] ?? 1;
         const shares = [0, 0.25, 0.5, 0.75, 1];
-        place(
-          xTicks,
-          shares.map((share) => ({ share, text: plain((low + share * (high - low)) / size, 3) })),
-        );
-        place(
-          yTicks,
-          DEGREES.map((deg) => ({ share: deg / 90, text: angle(deg, now.angle, 0) })),
-        );
-        setText(title, `thickness of layer ${map.layer} (${unit})`);
+        words = {
+          x: shares.map((share) => ({
+            share,
+            text: plain((low + share * (high - low)) / size, 3),
+          })),
+          y: DEGREES.map((deg) => ({ share: deg / 90, text: angle(deg, now.angle, 0) })),
+          title: `thickness of layer ${map.layer} (${unit})`,
+        };
+        place(xTicks, words.x);
+        place(yTicks, words.y);
+        setText(title, words.title);
       }
       const x = clamp((nm - low) / (high - low), 0, 1);
       const y = 1 - clamp(now.theta_i_deg / 90, 0, 1);

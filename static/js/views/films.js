@@ -13,7 +13,7 @@ import { placeOf, readLayers, withThickness } from "../layers/layers.js";
 import { brightening, createMap, FITS_TO } from "../layers/map.js";
 import { percent, plain } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
-import { h, setText } from "../page/dom.js";
+import { createExports, h, setText } from "../page/dom.js";
 import { pageLink } from "../page/links.js";
 import { loadStyle } from "../page/style.js";
 import { createProblems, createTrouble } from "../page/trouble.js";
@@ -71,7 +71,13 @@ export function createView(page) {
   const numbers = createNumbers();
   const said = h("p.reason");
   const warned = h("p.reason");
-  const onBall = h("p.exports");
+  const onBall = h("p");
+  const exports = createExports({
+    what: "the colors",
+    name: () => "fresnel-film-colors",
+    make: (format) => map.file(format, said.textContent ?? ""),
+    save: page.save,
+  });
   const newBall = createChanged();
   const ofMap = createTrouble("Show the exact colors alone", () =>
     actions.set({ film_model: NO_MODEL }),
@@ -92,11 +98,12 @@ export function createView(page) {
     h(
       "section.column.film-colors",
       { "aria-label": "Colors" },
-      h("div.heading", h("h2", "Colors over thickness and angle"), onBall),
+      h("div.heading", h("h2", "Colors over thickness and angle"), exports),
       ofMap.element,
       map.element,
       said,
       warned,
+      onBall,
     ),
   );
   const curves = createCurves(context, (patch, settled) => {
