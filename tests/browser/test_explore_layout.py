@@ -56,3 +56,19 @@ def test_theme_is_chosen_and_kept(quiet_page: Page) -> None:
     expect(toggle).to_have_text("Dark")
     page.reload()
     assert page.evaluate("() => document.documentElement.dataset.theme") == "dark"
+
+
+def test_a_phone_on_its_side_shows_the_ray_and_the_plot(page: Page) -> None:
+    page.set_viewport_size({"width": 667, "height": 375})
+    opened(page)
+    sheet = page.locator(".panel").bounding_box()
+    assert sheet
+    for name in (".diagram-host", ".plot-host"):
+        page.locator(name).evaluate("(part) => part.scrollIntoView()")
+        part, top = page.locator(name).bounding_box(), page.locator(".top").bounding_box()
+        assert part
+        assert top
+        shown = min(sheet["y"], part["y"] + part["height"]) - max(
+            0, part["y"], top["y"] + top["height"]
+        )
+        assert shown > 200

@@ -51,7 +51,7 @@ function errorRow(colors, model, title) {
   const cells = CHANNELS.map(([key]) => {
     const { error_at_max, max_abs_at_deg } = found.errors[key];
     if (error_at_max === null) return "undefined";
-    return `${significant(error_at_max, 2)} at ${max_abs_at_deg.toFixed(0)}°`;
+    return `${significant(error_at_max, 2)} at\u00a0${max_abs_at_deg.toFixed(0)}°`;
   });
   return html`<tr><th scope="row">${title}</th>${cells.map((cell) => html`<td>${cell}</td>`)}</tr>`;
 }
