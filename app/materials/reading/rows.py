@@ -13,7 +13,6 @@ from app.materials.reading.report import Notes, Unreadable
 COMMENT = re.compile(r"\s*(?:[#;%!*]|//|['\"](?!\s*[-+.\d]))")
 """How lines begin that are no data; a number may stand in quotes."""
 
-_MARKS = ("#", "!", "%", "//")
 _TAIL = re.compile(r"\s(?:[#!%]|//).*$")
 """A comment behind the numbers of a line."""
 
@@ -85,11 +84,14 @@ class Layout:
             plain = "" if "." in cell else cell.replace(",", ".")
         # float() takes 1_000 and digits of other scripts, which no table has.
         if "_" not in plain and plain.isascii():
-            for text in (plain, _FORTRAN.sub("e", plain)) if "d" in plain.lower() else (plain,):
-                try:
-                    return float(text)
-                except ValueError:
-                    pass
+            try:
+                return float(plain)
+            except ValueError:
+                pass
+            try:
+                return float(_FORTRAN.sub("e", plain))
+            except ValueError:
+                pass
         if cell.casefold() in _NOTHING:
             return math.nan
         if _GROUPED[self.decimal].fullmatch(cell):
@@ -98,7 +100,7 @@ class Layout:
 
     def row(self, line: str) -> list[float] | None:
         """Read a line of at least two numbers, None where it is none; NaN for empty cells."""
-        if any(mark in line for mark in _MARKS):
+        if "#" in line or "!" in line or "%" in line or "//" in line:
             line = _TAIL.sub("", line)
         cells = self._all_cells(line)
         if not 2 <= len(cells) <= _MOST_COLUMNS or not any(cells[1:]):

@@ -1,4 +1,4 @@
-"""Any table of numbers: with commas, semicolons, tabs or blanks, with names of columns or without."""
+"""Any table of numbers: with commas, semicolons, tabs, bars or blanks, with or without names."""
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
