@@ -2,9 +2,9 @@
 
 import { h } from "../page/dom.js";
 import { html, render } from "../page/lit.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 
-await loadStyle("css/examples.css");
+await loadStyles("examples");
 
 /**
  * @template {{title: string, source: string}} Example

@@ -4,11 +4,11 @@ import { modelStyle, sample, shortTitle } from "../models/look.js";
 import { ExpressionError, evaluate } from "../numbers/expression.js";
 import { plain } from "../numbers/format.js";
 import { h, setText, symbol } from "../page/dom.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { defaultOf, stateName } from "../state/state.js";
 import { createChoice, createRow } from "./panel.js";
 
-await loadStyle("css/parameters.css");
+await loadStyles("parameters");
 
 const CHANNELS = /** @type {const} */ (["R", "G", "B"]);
 

@@ -3,7 +3,7 @@
 import { add, findPages, isPage, pathOf } from "../media/brought.js";
 import { stretch } from "../media/wavelength.js";
 import { h } from "../page/dom.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { distance } from "../state/state.js";
 
 /** A letter more, less or other is a slip in a word this long; in a shorter one it is another word. */
@@ -138,7 +138,7 @@ export async function createList({
   written,
   chosen,
 }) {
-  await loadStyle("css/media-list.css");
+  await loadStyles("media-list");
   pickers += 1;
   const own = `media-${pickers}`;
   /** @type {HTMLElement | null} */

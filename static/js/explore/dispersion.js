@@ -5,7 +5,7 @@ import { knownRange, spreadPaths } from "../media/media.js";
 import { wavelengthColor } from "../media/wavelength.js";
 import { angle } from "../numbers/format.js";
 import { h, setText } from "../page/dom.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 
 /**
  * The refracted rays of white light at the page's angle, as far as their curves have come.
@@ -40,7 +40,7 @@ function isOf(media, { incident, material, n_i, n_t, k_t }, materials) {
 
 /** The angles of refraction side by side, magnified until they can be told apart. */
 export async function createDispersion() {
-  await loadStyle("css/dispersion.css");
+  await loadStyles("dispersion");
   const strip = h("div.spread-strip", { "aria-hidden": "true" });
   const text = h("p.spread-text");
   const element = h("section.spread", { "aria-label": "White light", hidden: true }, strip, text);

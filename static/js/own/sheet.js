@@ -5,7 +5,7 @@ import { plain, significant } from "../numbers/format.js";
 import { h } from "../page/dom.js";
 import { addressOf, follow } from "../page/links.js";
 import { html, nothing, render, svg } from "../page/lit.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { Problem } from "../server/api.js";
 import { send } from "../server/sending.js";
 import { forget, keep, keptRows } from "./kept.js";
@@ -28,14 +28,8 @@ const PASTED = "pasted.txt";
 const WIDTH = 480;
 const HEIGHT = 150;
 
-/** @type {Promise<unknown> | undefined} */
-let styled;
-
 /** Load how the sheet looks, and the page while a file is held over it. */
-export function prepare() {
-  styled ??= Promise.all([loadStyle("css/dialog.css"), loadStyle("css/own.css")]);
-  return styled;
-}
+export const prepare = () => loadStyles("dialog", "own");
 
 /**
  * @param {OwnOptions} options

@@ -3,7 +3,7 @@
 import { matching, origin } from "../controls/picker.js";
 import { copyText, h } from "./dom.js";
 import { addressOf, follow } from "./links.js";
-import { loadStyle } from "./style.js";
+import { loadStyles } from "./style.js";
 import { led } from "./trade.js";
 
 const MOST_SHOWN = 60;
@@ -83,7 +83,7 @@ export function formulaEntries(formulas) {
 
 /** @param {FinderOptions} options */
 export async function openFinder(options) {
-  await loadStyle("css/dialog.css");
+  await loadStyles("dialog");
   const input = h("input.finder-box", {
     type: "text",
     role: "combobox",

@@ -2,7 +2,7 @@
 
 import { h } from "./dom.js";
 import { html, render } from "./lit.js";
-import { loadStyle } from "./style.js";
+import { loadStyles } from "./style.js";
 
 const CONTROL = /Mac|iPhone|iPad/.test(navigator.platform) ? "⌘" : "Ctrl";
 
@@ -45,7 +45,7 @@ const KEYS = [
 ];
 
 export async function openHelp() {
-  await loadStyle("css/dialog.css");
+  await loadStyles("dialog");
   const close = () => dialog.close();
   const dialog = h("dialog.dialog.help", { "aria-labelledby": "help-title" });
   render(

@@ -1,7 +1,7 @@
 /** Present: a view alone, in large type. The address says so, and a link opens it. */
 
 import { h } from "./dom.js";
-import { loadStyle } from "./style.js";
+import { loadStyles } from "./style.js";
 
 /** @param {() => void} leave @returns {Promise<(on: boolean) => void>} what shows the way back, or hides it */
 export async function createPresent(leave) {
@@ -10,7 +10,7 @@ export async function createPresent(leave) {
     { type: "button", "aria-keyshortcuts": "Escape", hidden: true, onclick: leave },
     "Leave",
   );
-  await loadStyle("css/present.css");
+  await loadStyles("present");
   document.body.append(back);
   document.addEventListener("keydown", (event) => {
     const busy = event.defaultPrevented || document.querySelector("dialog[open], :popover-open");

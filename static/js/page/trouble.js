@@ -1,9 +1,7 @@
 /** What went wrong with one figure, said where it stands, and the way back. */
 
 import { h, setText } from "./dom.js";
-import { loadStyle } from "./style.js";
-
-let styled = false;
+import { loadStyles } from "./style.js";
 
 /** @typedef {{title: string, lines: string[]}} Problem */
 
@@ -38,8 +36,7 @@ export function createProblems(told) {
  * @param {() => void} onBack
  */
 export function createTrouble(label, onBack) {
-  if (!styled) void loadStyle("css/trouble.css");
-  styled = true;
+  void loadStyles("trouble");
   const words = h("p.row-error");
   const back = h("button.quiet", { type: "button", onclick: onBack }, label);
   const element = h("div.trouble", { role: "alert" }, words, back);

@@ -87,7 +87,7 @@ export function createPair({
   parent.append(
     h(
       "section",
-      { class: `column ${className}`, "aria-label": label },
+      { class: `column pair ${className}`, "aria-label": label },
       ...parts.upper.nodes,
       ...parts.lower.nodes,
       tables.element,

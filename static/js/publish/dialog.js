@@ -1,7 +1,7 @@
 /** The sheet where a figure is fitted to a paper or a slide: background, size, font size, caption, and a preview. */
 
 import { h, saveEach, setText } from "../page/dom.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { tooSmall } from "../plot/publication.js";
 import { load } from "../server/api.js";
 import { captionOf, mediaBehind } from "./caption.js";
@@ -225,8 +225,6 @@ let dialog = null;
 
 /** @param {PublishTask} task */
 export async function publish(task) {
-  dialog ??= Promise.all(["dialog", "publish"].map((name) => loadStyle(`css/${name}.css`))).then(
-    createDialog,
-  );
+  dialog ??= loadStyles("dialog", "publish").then(createDialog);
   await (await dialog).open(task);
 }

@@ -5,11 +5,11 @@ import { createSelect } from "../controls/select.js";
 import { copyText, flash, h } from "../page/dom.js";
 import { aside } from "../page/links.js";
 import { html, nothing, render } from "../page/lit.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { sayProblem } from "../page/trouble.js";
 import { codeOf, isPiece, LANGUAGES, snippetPath, titlesOf, withPieces } from "./fields.js";
 
-await loadStyle("css/snippets.css");
+await loadStyles("snippets");
 
 /** What the server's word for a check means to who pastes the code. @type {Record<string, string>} */
 const CHECKED = {

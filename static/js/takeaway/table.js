@@ -6,12 +6,12 @@ import { plain } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
 import { h, setText } from "../page/dom.js";
 import { html, render } from "../page/lit.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { sayProblem } from "../page/trouble.js";
 import { createPlot } from "../plot/plot.js";
 import { codeOf, DEPTHS, lutPath, pickedSize, rgbLutPath, SIZES, titlesOf } from "./fields.js";
 
-await loadStyle("css/tables.css");
+await loadStyles("tables");
 
 const LOOKS = [
   { color: "--R", dash: "dot" },

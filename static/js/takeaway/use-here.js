@@ -1,7 +1,7 @@
 /** Where a view has no room for it from the start: the panel "Use it in" in a fold, which asks by itself. */
 
 import { h } from "../page/dom.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { load, Problem } from "../server/api.js";
 import { mediaQuery } from "../state/state.js";
 import { createUse, usePath } from "./use.js";
@@ -18,7 +18,7 @@ export function boundary(state, catalog) {
 
 /** @param {HTMLDetailsElement} fold @param {Pick<ViewContext, 'catalog' | 'say' | 'save'>} context */
 export async function createUseHere(fold, { catalog, say, save }) {
-  await loadStyle("css/take.css");
+  await loadStyles("take");
   /** @type {State} */
   let now = {};
   let chosen = { use_in: "blender", use_mode: null };

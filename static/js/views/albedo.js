@@ -12,7 +12,7 @@ import { createDefinitions } from "../models/definitions.js";
 import { six } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
 import { h } from "../page/dom.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { createProblems } from "../page/trouble.js";
 
 export { queries, restCalls } from "../albedo/queries.js";
@@ -22,9 +22,7 @@ export const fields = albedoFields;
  * @typedef {import('../albedo/answers.js').Fit} Fit
  */
 
-await Promise.all(
-  ["heatmap", "albedo", "albedo-coat", "albedo-claims"].map((name) => loadStyle(`css/${name}.css`)),
-);
+await loadStyles("heatmap", "pair", "albedo", "albedo-coat", "albedo-claims");
 
 /** @param {ViewContext} context */
 export function createView(context) {

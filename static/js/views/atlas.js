@@ -24,7 +24,7 @@ import { plain } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
 import { createExports, h, setText } from "../page/dom.js";
 import { html, render } from "../page/lit.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { createProblems, createTrouble, sayProblem } from "../page/trouble.js";
 
 export { queries, restCalls } from "../atlas/fields.js";
@@ -42,11 +42,7 @@ const ALL = "all shelves";
 /** Errors that may count as small, one click away. */
 const BUDGETS = { share: [0.001, 0.01, 0.02, 0.05], delta_e: [0.5, 1, 2, 5] };
 
-await Promise.all(
-  ["heatmap", "albedo-claims", "compare-errors", "atlas"].map((name) =>
-    loadStyle(`css/${name}.css`),
-  ),
-);
+await loadStyles("heatmap", "albedo-claims", "compare-errors", "atlas");
 
 /** Decimal logarithms and what stands at them. @param {number} low @param {number} high @param {string} metric @returns {Axis["ticks"]} */
 function decades(low, high, metric) {

@@ -11,7 +11,7 @@ import { createRecommend } from "../compare/recommend.js";
 import { createTable, errorsOf } from "../compare/table.js";
 import { short } from "../errors/metrics.js";
 import { angle } from "../numbers/format.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { createProblems } from "../page/trouble.js";
 import { freshOf } from "../state/state.js";
 import { createSnippets } from "../takeaway/code.js";
@@ -22,9 +22,7 @@ export const fields = compareFields;
 
 /** @typedef {import('../errors/metrics.js').Row} Row */
 
-await Promise.all(
-  ["compare", "compare-errors", "convert", "heatmap"].map((name) => loadStyle(`css/${name}.css`)),
-);
+await loadStyles("heatmap", "pair", "compare", "compare-errors", "convert");
 
 const SETTLE_AFTER = 250; // ms
 

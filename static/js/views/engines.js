@@ -10,7 +10,7 @@ import { errorRange, errorTraces } from "../errors/traces.js";
 import { inDegrees, inUnit, significant } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
 import { h, setText } from "../page/dom.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { createProblems, createTrouble } from "../page/trouble.js";
 import { createPair } from "../plot/pair.js";
 
@@ -28,9 +28,7 @@ const LOOKS = [
   { color: "--model-4", dash: "dashdot" },
 ];
 
-await Promise.all(
-  ["heatmap", "albedo-claims", "engines"].map((name) => loadStyle(`css/${name}.css`)),
-);
+await loadStyles("heatmap", "pair", "albedo-claims", "engines");
 
 /** @param {ViewContext} context */
 export function createView(context) {

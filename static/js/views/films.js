@@ -15,14 +15,14 @@ import { percent, plain } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
 import { createExports, h, setText } from "../page/dom.js";
 import { pageLink } from "../page/links.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { createProblems, createTrouble } from "../page/trouble.js";
 import { createUse } from "../takeaway/use.js";
 
 export { later, queries, restCalls } from "../films/fields.js";
 export const fields = filmFields;
 
-await Promise.all(["heatmap", "take", "films"].map((name) => loadStyle(`css/${name}.css`)));
+await loadStyles("heatmap", "take", "films");
 
 /** What shows the films on a ball, a shortcut beside them if there is one. @param {State} now */
 function ballOf(now) {

@@ -16,14 +16,14 @@ import { createSpectrum } from "../materials/spectrum.js";
 import { become, isPage, pathOf } from "../media/brought.js";
 import { percent, plain } from "../numbers/format.js";
 import { h } from "../page/dom.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { createProblems } from "../page/trouble.js";
 import { createUse } from "../takeaway/use.js";
 
 export { queries, restCalls } from "../materials/queries.js";
 export const fields = materialFields;
 
-await Promise.all(["heatmap", "take", "materials"].map((name) => loadStyle(`css/${name}.css`)));
+await loadStyles("heatmap", "take", "materials");
 
 /** A view narrower than this shows the catalog above the preset. */
 const NARROW = "(max-width: 900px)";

@@ -6,7 +6,7 @@ import { plain, significant } from "../numbers/format.js";
 import { createChanged } from "../page/changed.js";
 import { copying, h } from "../page/dom.js";
 import { html, render } from "../page/lit.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { createProblems, createTrouble } from "../page/trouble.js";
 import { createControls } from "../preview/controls.js";
 import { amplification, verdictOf } from "../preview/difference.js";
@@ -32,7 +32,7 @@ export const fields = previewFields;
 
 /** @typedef {import('../preview/difference.js').Difference} Difference */
 
-await loadStyle("css/preview.css");
+await loadStyles("preview");
 
 const FIGURES = /** @type {const} */ ([
   ["steps", "mean", "mean, 8-bit steps"],

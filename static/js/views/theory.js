@@ -4,7 +4,7 @@ import { h } from "../page/dom.js";
 import { addressOf, clicked } from "../page/links.js";
 import { html, nothing, render } from "../page/lit.js";
 import { loadKatex } from "../page/prose.js";
-import { loadStyle } from "../page/style.js";
+import { loadStyles } from "../page/style.js";
 import { SECTIONS, theoryFields, UNTOUCHED } from "../theory/fields.js";
 import { createLessons } from "../theory/lessons.js";
 import { STEPS } from "../theory/steps.js";
@@ -24,9 +24,7 @@ export const fields = theoryFields;
  */
 
 await Promise.all([
-  ...["parameters", "heatmap", "albedo", "albedo-coat", "films", "materials", "theory"].map(
-    (name) => loadStyle(`css/${name}.css`),
-  ),
+  loadStyles("parameters", "heatmap", "albedo", "albedo-coat", "films", "materials", "theory"),
   loadKatex().catch(() => {}), // formulas then stand as LaTeX
 ]);
 
