@@ -8,7 +8,7 @@
 # surface_rough of multilayer_reflectivity does nothing without substrate_rough, whose value it then uses:
 # platinum of 10 angstroms roughness reflects 0.334 at 0.6 degrees and 8 keV like smooth one.
 # Measured 2026-11-30 with xraydb 4.5.8, against Fresnel's equations with its own delta and beta.
-# Touches: nothing of ours; both polarizations meet at normal incidence in tests/optics.
+# Touches: nothing of ours; both polarizations meet along the normal in tests/optics/test_landmarks.py.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

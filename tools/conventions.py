@@ -1,6 +1,6 @@
 """Which signs other programs have: each is run where it is installed, and its row printed.
 
-Run it in an environment of its own (`pip install tmm pyElli mitsuba packaging`, then
+Run it in an environment of its own (`pip install tmm pyElli pypolar mitsuba packaging`, then
 `python tools/conventions.py`); it needs nothing of this project. Delta is that of bare silicon,
 3.8827 + 0.0196i at 632.8 nm and 70 degrees, whose psi is 10.57788: in exp(-iwt) with r_p = -r_s at
 normal incidence it is -179.20608.
@@ -71,6 +71,24 @@ def of_pyelli() -> Row:
     }
 
 
+def of_pypolar() -> Row:
+    """pypolar, which conjugates an index of the other sign; its Delta is 180 degrees off its rho."""
+    pypolar: Any = importlib.import_module("pypolar")
+    fresnel, ellipsometry = pypolar.fresnel, pypolar.ellipsometry
+    r_s, r_p = (complex(of(1.5, 0.0)) for of in (fresnel.r_per_amplitude, fresnel.r_par_amplitude))
+    rho = complex(ellipsometry.rho_from_m(SILICON, math.radians(AT_DEG)))
+    read = complex(ellipsometry.m_from_rho(rho, math.radians(AT_DEG)))
+    delta = float(ellipsometry.tanpsi_Delta_from_rho(rho, deg=True)[1])
+    return {
+        "program": f"pypolar {version('pypolar')}",
+        "absorbs": "n + ik" if read.imag > 0 else "n - ik",
+        "r_s": f"{r_s.real:+.1f}",
+        "r_p": f"{r_p.real:+.1f}",
+        "arg(r_p/r_s)": delta_deg(rho),
+        "Delta it prints": f"{delta:.5f}",
+    }
+
+
 def of_mitsuba() -> Row:
     """Mitsuba's `fresnel_polarized`."""
     mitsuba: Any = importlib.import_module("mitsuba")
@@ -97,6 +115,7 @@ def of_mitsuba() -> Row:
 PROGRAMS: dict[str, Callable[[], Row]] = {
     "tmm": of_tmm,
     "elli": of_pyelli,
+    "pypolar": of_pypolar,
     "mitsuba": of_mitsuba,
 }
 
