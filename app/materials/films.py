@@ -221,7 +221,9 @@ def material_constants(name: str, wavelength_nm: Array | None) -> Constants:
     spectrum = default_catalog().spectrum(preset.id)
     if wavelength_nm is None:
         seen = spectrum.visible
-        return Constants(seen.n, seen.k, tuple(f"{preset.called}: {told}" for told in seen.warnings))
+        return Constants(
+            seen.n, seen.k, tuple(f"{preset.called}: {told}" for told in seen.warnings)
+        )
     n, k = spectrum.n_absolute(wavelength_nm), spectrum.k(wavelength_nm)
     warnings = () if k is not None else (f"{preset.called}: {UNKNOWN_K}",)
     k = np.zeros_like(n) if k is None else k
@@ -229,8 +231,6 @@ def material_constants(name: str, wavelength_nm: Array | None) -> Constants:
         fine = bounds.admits(values)
         if not fine.all():
             at, value = (float(np.asarray(a)[~fine].flat[0]) for a in (wavelength_nm, values))
-            allowed = (
-                f"one where {quantity} of {preset.called} is {bounds.allowed}; here it is {value:.5g}"
-            )
+            allowed = f"one where {quantity} of {preset.called} is {bounds.allowed}; here it is {value:.5g}"
             raise NotAllowed("wavelength_nm", at, allowed)
     return Constants(n, np.maximum(k, 0.0), warnings)

@@ -242,6 +242,21 @@ def test_thick_silver_lets_through_as_much_less_as_it_is_thicker(polarization: s
     )
 
 
+@pytest.mark.parametrize("degrees", [50.0, [50.0, 50.0]], ids=["one ray", "an array"])
+@pytest.mark.parametrize("polarization", ["s", "p"])
+def test_what_lies_behind_thick_silver_absorbs_its_share_of_nearly_nothing(
+    polarization: str, degrees: float | list[float]
+) -> None:
+    films = [(0.055, 3.32, 600.0), (1.5, 0.1, 100.0), (0.2, 3.0, 20.0)]
+    stack = Stack(1.0, [Layer(*film) for film in films], 1.5, wavelength_nm=550.0)
+    found = getattr(absorption(stack, Incidence.from_degrees(degrees)), polarization)
+    indices = [1.0, *(complex(n, k) for n, k, _ in films), 1.5]
+    thick = [np.inf, *(nm for *_, nm in films), np.inf]
+    theirs = tmm.coh_tmm(polarization, indices, thick, np.radians(50.0), 550.0)
+    expected = tmm.absorp_in_each_layer(theirs)[1:-1]
+    np.testing.assert_allclose([np.ravel(A)[-1] for A in found], expected, rtol=1e-10)
+
+
 def test_an_absorbing_incident_medium_along_the_normal_and_nowhere_else() -> None:
     film = [Layer(1.38, 0.0, 100.0)]
     stack = Stack(1.5, film, 1.52, wavelength_nm=550.0, k_i=0.1)
