@@ -231,6 +231,6 @@ def material_constants(name: str, wavelength_nm: Array | None) -> Constants:
         fine = bounds.admits(values)
         if not fine.all():
             at, value = (float(np.asarray(a)[~fine].flat[0]) for a in (wavelength_nm, values))
-            allowed = f"one where {quantity} of {preset.called} is {bounds.allowed}; here it is {value:.5g}"
-            raise NotAllowed("wavelength_nm", at, allowed)
+            where = f"one where {quantity} of {preset.called} is {bounds.allowed}"
+            raise NotAllowed("wavelength_nm", at, f"{where}; here it is {value:.5g}")
     return Constants(n, np.maximum(k, 0.0), warnings)
