@@ -47,3 +47,12 @@ def test_an_engine_that_was_not_measured_is_named(page: Page) -> None:
     expect(alert).to_be_visible()
     alert.get_by_role("button", name="Back to three.js").click()
     expect(page.locator(".ways tbody tr")).to_have_count(1)
+
+
+def test_a_medium_that_an_engine_was_not_measured_with_is_told(page: Page) -> None:
+    page.goto("/?view=engines&measured=jelly")
+    alert = page.locator(".view-engines .trouble")
+    expect(alert).to_contain_text("jelly was not measured in three.js; glass is shown.")
+    page.goto("/?view=engines&measured=gold")
+    expect(page.locator(".view-engines .claims")).to_be_visible()
+    expect(alert.locator(".row-error")).to_be_empty()

@@ -189,8 +189,13 @@ export function createView(context) {
     choices.update(now);
     if (!engine || engine.id !== now.engine) return;
     const names = engine.media.map(({ name }) => [name, name]);
-    media.update(mediumOf(now, engine).name, Object.fromEntries(names));
-    choices.elements.engine_channel.hidden = mediumOf(now, engine).kind !== "conductor";
+    const medium = mediumOf(now, engine);
+    if (medium.name !== now.measured) {
+      const line = `${now.measured} was not measured in ${engine.title}; ${medium.name} is shown.`;
+      trouble.update({ title: "", lines: [line] }, false);
+    }
+    media.update(medium.name, Object.fromEntries(names));
+    choices.elements.engine_channel.hidden = medium.kind !== "conductor";
     choices.elements.engine_light.hidden = new Set(engine.curves.map((c) => c.light)).size < 2;
     if (newEngine(engine)) describe(engine);
     draw(now, engine, moving);
