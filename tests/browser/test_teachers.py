@@ -7,7 +7,7 @@ from urllib.parse import parse_qs, urlsplit
 from xml.etree import ElementTree as ET
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Route, expect
 
 from tests.browser.compare_page import AXE
 from tests.browser.explore_page import READY_MS, box, number, opened
@@ -140,6 +140,19 @@ def test_a_view_is_presented_by_a_link_and_left_by_a_key(quiet_page: Page) -> No
     page.get_by_role("button", name="Present").click()
     expect(page.locator(".top")).to_be_hidden()
     expect(page).to_have_url(re.compile("present=1"))
+
+
+def test_plots_drawn_before_the_large_type_came_grow_with_it(page: Page) -> None:
+    held: list[Route] = []
+    page.route("**/css/present.css", lambda route: held.append(route))
+    page.goto("/?view=compare&present=1")
+    ticks = page.locator(".view-compare .xtick text")
+    ticks.first.wait_for(state="attached", timeout=READY_MS)
+    held[0].continue_()
+    page.wait_for_function(
+        """() => [...document.querySelectorAll(".view-compare .xtick text")]
+          .every((text) => parseFloat(getComputedStyle(text).fontSize) > 14)"""
+    )
 
 
 def test_a_material_is_presented_without_the_catalog(quiet_page: Page) -> None:

@@ -11,6 +11,8 @@ export async function createPresent(leave) {
     "Leave",
   );
   await loadStyles("present");
+  // What was drawn before has its letters yet to grow.
+  document.documentElement.dispatchEvent(new Event("themechange"));
   document.body.append(back);
   document.addEventListener("keydown", (event) => {
     const busy = event.defaultPrevented || document.querySelector("dialog[open], :popover-open");
