@@ -301,9 +301,9 @@ def test_a_lost_context_comes_back(quiet_page: Page) -> None:
           window.lost.loseContext();
         }"""
     )
-    expect(page.locator(".stage [role=alert]")).to_contain_text("comes back")
+    expect(page.locator(".shown [role=alert]")).to_contain_text("comes back")
     page.evaluate("() => window.lost.restoreContext()")
-    expect(page.locator(".stage [role=alert]")).to_be_empty()
+    expect(page.locator(".shown [role=alert]")).to_be_empty()
     rested(page)
     assert np.array_equal(shot(page).pixels, before)
 

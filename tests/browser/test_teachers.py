@@ -198,7 +198,7 @@ def test_a_worksheet_has_its_link_its_answers_and_addresses_on_paper(quiet_page:
     page.goto("/?view=theory&section=worksheets")
     page.get_by_role("link", name="Caught light").click(timeout=READY_MS)
     expect(page).to_have_url(re.compile("sheet=caught"), timeout=READY_MS)
-    expect(page.locator(".sheet")).to_have_count(1)
+    expect(page.locator(".worksheet")).to_have_count(1)
     expect(page.get_by_role("link", name="All worksheets")).to_be_visible()
     expect(page.locator(".answer-key")).to_have_count(0)
     page.get_by_role("link", name="With the answer key").click()
@@ -210,7 +210,7 @@ def test_a_worksheet_has_its_link_its_answers_and_addresses_on_paper(quiet_page:
     expect(answers.nth(2)).to_contain_text("54.6°")
     page.emulate_media(media="print")
     after = """(link) => getComputedStyle(link, "::after").content"""
-    printed = page.locator(".sheet a").first.evaluate(after)
+    printed = page.locator(".worksheet a").first.evaluate(after)
     assert "theta_i_deg=41.81" in printed
     assert printed.strip('" ').startswith("http")
 
@@ -223,7 +223,7 @@ def test_every_key_is_complete(quiet_page: Page, sheet: str) -> None:
     page.goto(f"/?view=theory&section=worksheets&sheet={sheet}&answers=open")
     answers = page.locator(".answer-key li")
     expect(answers.first).to_be_visible(timeout=2 * READY_MS)
-    expect(answers).to_have_count(page.locator(".sheet li").count())
+    expect(answers).to_have_count(page.locator(".worksheet li").count())
     for text in answers.all_inner_texts():
         assert text.strip().endswith(".")
         assert not re.search(r"NaN|undefined|\bnull\b", text)

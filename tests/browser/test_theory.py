@@ -16,7 +16,7 @@ SECTIONS = {
     "claims": ".claim",
     "traps": ".lessons.traps path.js-line",
     "mystery": ".mystery path.js-line",
-    "worksheets": ".sheet .katex",
+    "worksheets": ".worksheet .katex",
 }
 
 

@@ -62,7 +62,7 @@ export function createStage({ state, actions, onMeasured, save }) {
   const frame = h("div.scene-frame", canvas, names.left, names.right, divider);
   const hint = h("p.hint");
   const lost = h("p.row-error", { role: "alert" });
-  const element = h("div.stage", frame, hint, lost);
+  const element = h("div.shown", frame, hint, lost);
 
   let renderer = createRenderer(canvas);
   /** @type {Picture | null} */

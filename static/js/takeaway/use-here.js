@@ -18,7 +18,7 @@ export function boundary(state, catalog) {
 
 /** @param {HTMLDetailsElement} fold @param {Pick<ViewContext, 'catalog' | 'say' | 'save'>} context */
 export async function createUseHere(fold, { catalog, say, save }) {
-  await loadStyles("take");
+  await loadStyles("sheet", "take");
   /** @type {State} */
   let now = {};
   let chosen = { use_in: "blender", use_mode: null };

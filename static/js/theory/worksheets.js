@@ -121,7 +121,7 @@ function task(text) {
 const article = (
   { id, title, level, about, tasks },
   alone,
-) => html`<article class="sheet" id="sheet-${id}">
+) => html`<article class="worksheet" id="sheet-${id}">
   <h3>${alone ? title : followed(title, place(id))}</h3>
   <p class="hint">${level}. ${about}</p>
   <ol>${tasks.map(task)}</ol>

@@ -22,7 +22,7 @@ import { createUse } from "../takeaway/use.js";
 export { later, queries, restCalls } from "../films/fields.js";
 export const fields = filmFields;
 
-await loadStyles("heatmap", "take", "films");
+await loadStyles("heatmap", "sheet", "take", "films");
 
 /** What shows the films on a ball, a shortcut beside them if there is one. @param {State} now */
 function ballOf(now) {

@@ -23,7 +23,7 @@ import { createUse } from "../takeaway/use.js";
 export { queries, restCalls } from "../materials/queries.js";
 export const fields = materialFields;
 
-await loadStyles("heatmap", "take", "materials");
+await loadStyles("heatmap", "sheet", "take", "materials");
 
 /** A view narrower than this shows the catalog above the preset. */
 const NARROW = "(max-width: 900px)";
