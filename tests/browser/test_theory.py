@@ -384,7 +384,7 @@ def test_a_teacher_sends_a_mystery_material(quiet_page: Page) -> None:
 
 def test_worksheets_open_what_they_say(quiet_page: Page) -> None:
     page = opened(quiet_page, "worksheets")
-    links = page.locator(".sheet li a")
+    links = page.locator(".worksheet li a")
     addresses = [links.nth(i).get_attribute("href") or "" for i in range(links.count())]
     assert len(addresses) >= 20
     for address in addresses:
