@@ -12,6 +12,10 @@ if settings.get_current_profile_name() == "default":
     settings.load_profile("project")
 
 
+# What is compared by `rel` is meant so: pytest lets pass what is 1e-12 off, too, however small it is.
+pytest.MonkeyPatch().setattr(type(pytest.approx(1.0)), "DEFAULT_ABSOLUTE_TOLERANCE", 0.0)
+
+
 @pytest.fixture(scope="session")
 def app() -> FastAPI:
     return create_app()

@@ -137,7 +137,7 @@ def test_pseudo_brewster_is_the_least_Rp_there_is(n_t: float, k_t: float) -> Non
 @pytest.mark.parametrize(
     ("n_i", "n_t", "k_t"),
     [
-        (100.0, 1e-3, 1e-12),  # 5.7e-4 degrees from normal incidence
+        (100.0, 1e-3, 1e-15),  # 5.7e-4 degrees from normal incidence
         (1e-3, 100.0, 1e-9),
         (1.0, 1.0 + 1e-9, 1e-9),  # an Rp of 1e-18 at most
         (1.0, 1.0 - 1e-9, 3e-9),
@@ -152,6 +152,12 @@ def test_pseudo_brewster_of_faint_absorption_is_brewsters(
     assert float(pseudo_brewster_deg(Interface(n_i, n_t))) == lossless
     angle = float(pseudo_brewster_deg(Interface(n_i, n_t, k_t)))
     assert angle == pytest.approx(lossless, rel=1e-11)
+
+
+def test_pseudo_brewster_moves_where_absorption_blurs_the_critical_angle() -> None:
+    """Brewster's angle is a 5e-11th part before the critical one; the least R_p in 60 digits."""
+    angle = float(pseudo_brewster_deg(Interface(100.0, 1e-3, 1e-12)))
+    assert angle == pytest.approx(0.00057295779479033878, rel=1e-14)
 
 
 def ahead_of_90(n_t: float, k_t: float, degrees: mpf) -> mpf:
