@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 from playwright.sync_api import Page, expect
 
@@ -121,6 +122,23 @@ def test_a_layer_that_cannot_be_is_told_with_the_way_back(page: Page, layers: st
     expect(alert.first).to_be_visible()
     page.get_by_role("button", name="Back to a coating of glass").click()
     expect(page.locator(".film-numbers dd").first).to_be_visible()
+
+
+def test_a_pane_stands_beside_what_solar_software_makes_of_it(quiet_page: Page) -> None:
+    """Clear glass: two faces let through (1 - R) / (1 + R) of each polarization."""
+    page = quiet_page
+    page.goto("/?view=films&layers=1.5:4000000:incoherent&n_t=1")
+    pane = page.get_by_role("region", name="The pane in solar software")
+    expect(pane.locator("path.js-line")).to_have_count(5)
+    cos = np.cos(np.radians(np.linspace(0.0, 89.95, 1800)))
+    cos_t = np.sqrt(1.0 - (1.0 - cos**2) / 1.5**2)
+    Rs = ((cos - 1.5 * cos_t) / (cos + 1.5 * cos_t)) ** 2
+    Rp = ((1.5 * cos - cos_t) / (1.5 * cos + cos_t)) ** 2
+    T = (1.0 - Rs) / (1.0 + Rs) + (1.0 - Rp) / (1.0 + Rp)
+    off = float(np.max(np.abs(1.0 - (1.0 - cos) ** 5 - T / T[0])))
+    expect(pane.locator("tr", has_text="Schlick")).to_contain_text(f"{off:.3g} at")
+    page.get_by_role("button", name="Soap film").click()
+    expect(pane).to_be_hidden()
 
 
 def test_the_map_of_colors_is_saved(quiet_page: Page, tmp_path: Path) -> None:

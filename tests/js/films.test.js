@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { summary } from "../../static/js/films/beside.js";
 import { EXAMPLES, isShown, PLAIN, stateOf } from "../../static/js/films/examples.js";
-import { filmFields, isAskedFor, mapEnd, queries } from "../../static/js/films/fields.js";
+import { filmFields, isAskedFor, mapEnd, panePath, queries } from "../../static/js/films/fields.js";
 import { moved } from "../../static/js/layers/drawing.js";
 import {
   asked,
@@ -63,6 +63,27 @@ test("every example is a state that a link can hold, and is known again", () => 
 test("the map reaches beyond the thickness at hand", () => {
   assert.equal(mapEnd({ layers: "1.38:99.6", film_layer: 1, film_to: 1000 }), 1000);
   assert.equal(mapEnd({ layers: "1.38:1200", film_layer: 1, film_to: 1000 }), 1500);
+});
+
+test("a pane is one thick layer of a clear medium in air", () => {
+  const glass = { id: "glass", n: 1.5, n_absolute: 1.5004, k: 1e-7, wavelength_nm: 500 };
+  const catalog = /** @type {any} */ ({ materials: [glass] });
+  const state = { layers: "glass:4e6:incoherent", n_i: 1, n_t: 1, k_t: 0 };
+  const found = new URLSearchParams(panePath(state, catalog)?.split("?")[1]);
+  assert.equal(found.get("n"), "1.5004");
+  assert.equal(found.get("thickness_mm"), "4");
+  // K = 4 pi k / lambda: 0.8 pi per meter
+  assert.ok(Math.abs(Number(found.get("absorption_per_m")) - 0.8 * Math.PI) < 1e-12);
+  /** @param {object} changes */
+  const without = (changes) => panePath({ ...state, ...changes }, catalog);
+  assert.equal(without({ layers: "glass:4e6" }), null);
+  assert.equal(without({ layers: "glass:4e6:incoherent,1.38:100" }), null);
+  assert.equal(without({ layers: "unobtainium:4e6:incoherent" }), null);
+  assert.equal(without({ layers: "1.5+0.1i:4e6:incoherent" }), null);
+  assert.equal(without({ layers: "1.5:2e8:incoherent" }), null);
+  assert.equal(without({ n_i: 1.33 }), null);
+  assert.equal(without({ k_t: 3 }), null);
+  assert.match(without({ layers: "1.5:4e6:incoherent" }) ?? "", /absorption_per_m=0&/);
 });
 
 test("a drag asks for the curves alone, where all media are known", () => {

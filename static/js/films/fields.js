@@ -107,6 +107,37 @@ function herePath(state, catalog, quantity) {
   ]);
 }
 
+const CLEAR = 1e-4; // k behind a pane up to which it counts as clear
+const COMPLEX = /^([\d.]+(?:e[+-]?\d+)?)(?:\+([\d.]+(?:e[+-]?\d+)?)i)?$/iu;
+
+/** n and k of a medium at the wavelength that stands for it. @param {string} text @param {Catalog} catalog */
+function indexOf(text, { materials }) {
+  const [, n, k = "0"] = COMPLEX.exec(text) ?? [];
+  if (n !== undefined) return { n: Number(n), k: Number(k), nm: D_LINE };
+  const found = materials.find(({ id }) => id === text);
+  if (!found) return null;
+  return { n: found.n_absolute ?? found.n, k: found.k ?? 0, nm: found.wavelength_nm ?? D_LINE };
+}
+
+/** The pane that is there, one thick layer in air, as solar software counts it; nothing where it is none. @param {State} state @param {Catalog} catalog */
+export function panePath(state, catalog) {
+  const [layer, ...more] = readLayers(state.layers) ?? [];
+  if (!layer?.incoherent || more.length > 0 || state.n_i !== 1 || state.k_t > CLEAR) return null;
+  const index = indexOf(layer.medium, catalog);
+  if (!index) return null;
+  const absorption = (4e9 * Math.PI * index.k) / index.nm;
+  const thickness = layer.nm / 1e6;
+  const held = [index.n, state.n_t].every((n) => n >= 1 && n <= 4);
+  if (!held || absorption > 1000 || thickness > 100) return null;
+  return path("/films/pane", [
+    `n=${index.n}`,
+    `thickness_mm=${thickness}`,
+    `absorption_per_m=${absorption}`,
+    `n_behind=${state.n_t}`,
+    "digits=7",
+  ]);
+}
+
 /**
  * Paths by name. What a drag does not need keeps its last answer, and curves are coarser in it. The first
  * is always answered: what is dragged moves at once, and waits for no curve.
@@ -142,7 +173,9 @@ export function queries(given, catalog, moving = false) {
 /** The colors, which stay while the thickness on their axis moves. @param {State} given @param {Catalog} catalog @returns {Record<string, string>} */
 export function later(given, catalog) {
   const state = filled(given);
+  const pane = panePath(state, catalog);
   return {
+    ...(pane && { pane }),
     map: mapPath(state, catalog),
     reflected: herePath(state, catalog, "R"),
     transmitted: herePath(state, catalog, "T"),

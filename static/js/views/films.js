@@ -6,7 +6,15 @@ import { createBeside } from "../films/beside.js";
 import { createControls } from "../films/controls.js";
 import { createCurves } from "../films/curves.js";
 import { EXAMPLES, isShown, stateOf } from "../films/examples.js";
-import { filled, filmFields, isAskedFor, NO_MODEL, wavelengthOf } from "../films/fields.js";
+import {
+  filled,
+  filmFields,
+  isAskedFor,
+  NO_MODEL,
+  panePath,
+  wavelengthOf,
+} from "../films/fields.js";
+import { createModifiers } from "../films/modifiers.js";
 import { createNumbers } from "../films/numbers.js";
 import { createDrawing } from "../layers/drawing.js";
 import { placeOf, readLayers, withThickness } from "../layers/layers.js";
@@ -22,7 +30,7 @@ import { createUse } from "../takeaway/use.js";
 export { later, queries, restCalls } from "../films/fields.js";
 export const fields = filmFields;
 
-await loadStyles("heatmap", "sheet", "take", "films");
+await loadStyles("heatmap", "sheet", "take", "albedo-claims", "films");
 
 /** What shows the films on a ball, a shortcut beside them if there is one. @param {State} now */
 function ballOf(now) {
@@ -111,6 +119,7 @@ export function createView(page) {
     if (settled) actions.settle();
   });
   element.append(beside.element);
+  const modifiers = createModifiers(context);
   const use = createUse({ ...context, parent: element });
   const problems = createProblems([
     "spectrum",
@@ -119,6 +128,7 @@ export function createView(page) {
     "map",
     "reflected",
     "transmitted",
+    "pane",
     "use",
   ]);
   const newMap = createChanged();
@@ -175,6 +185,7 @@ export function createView(page) {
     if (newBall(JSON.stringify(ball)))
       onBall.replaceChildren(pageLink("On a ball, in Preview", "preview", ball));
     numbers.update(now, given);
+    modifiers.update(now, panePath(now, page.catalog) ? given.pane : undefined);
     use.update(now, given.use);
     use.problem(problems.of("use", given));
     const problem = ["spectrum", "curves", "here"]
@@ -209,12 +220,14 @@ export function createView(page) {
     theme() {
       curves.theme();
       beside.theme();
+      modifiers.theme();
     },
     deactivate: controls.stop,
     destroy() {
       controls.stop();
       curves.destroy();
       beside.destroy();
+      modifiers.destroy();
       drawing.destroy();
     },
   };
