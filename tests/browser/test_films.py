@@ -183,4 +183,4 @@ def test_a_film_is_taken_to_an_engine(page: Page) -> None:
     panel.get_by_label("USD", exact=True).click()
     expect(panel.get_by_role("alert")).to_contain_text("which has no film")
     page.goto("/?view=films&layers=1.46:250,2:50&use_in=openpbr")
-    expect(panel.get_by_role("alert")).to_contain_text("engines know no more")
+    expect(panel.get_by_role("alert")).to_contain_text("Renderers know one film")

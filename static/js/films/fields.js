@@ -69,6 +69,9 @@ export function isAskedFor({ film_model, layers, n_i, film_side }) {
   return { wanted: why === "", why };
 }
 
+/** Why films cannot be taken to a renderer, whatever is before them. @param {State} state @returns {string} */
+export const untaken = ({ layers }) => unshortened(layers, 1);
+
 /** How far the thickness reaches on the map. @param {State} state @returns {number} */
 export function mapEnd({ layers, film_layer, film_to }) {
   const all = readLayers(layers) ?? [];
@@ -179,11 +182,13 @@ export function later(given, catalog) {
     map: mapPath(state, catalog),
     reflected: herePath(state, catalog, "R"),
     transmitted: herePath(state, catalog, "T"),
-    use: usePath("/export", state, [
-      ...mediaQuery(state, catalog, ["n_i"]),
-      ...spectral(state, catalog).filter((part) => !/^(n_i|incident)=/.test(part)),
-      asked(state.layers),
-    ]),
+    ...(!untaken(state) && {
+      use: usePath("/export", state, [
+        ...mediaQuery(state, catalog, ["n_i"]),
+        ...spectral(state, catalog).filter((part) => !/^(n_i|incident)=/.test(part)),
+        asked(state.layers),
+      ]),
+    }),
   };
 }
 

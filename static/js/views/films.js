@@ -12,6 +12,7 @@ import {
   isAskedFor,
   NO_MODEL,
   panePath,
+  untaken,
   wavelengthOf,
 } from "../films/fields.js";
 import { createModifiers } from "../films/modifiers.js";
@@ -186,8 +187,9 @@ export function createView(page) {
       onBall.replaceChildren(pageLink("On a ball, in Preview", "preview", ball));
     numbers.update(now, given);
     modifiers.update(now, panePath(now, page.catalog) ? given.pane : undefined);
-    use.update(now, given.use);
-    use.problem(problems.of("use", given));
+    const why = untaken(now);
+    use.update(now, why ? undefined : given.use);
+    use.problem(why ? { title: why, lines: [] } : problems.of("use", given));
     const problem = ["spectrum", "curves", "here"]
       .map((name) => problems.of(name, given))
       .find(Boolean);
