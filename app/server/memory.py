@@ -10,6 +10,17 @@ _M_MMAP_THRESHOLD, _LARGE = -3, 8_000_000
 _M_TRIM_THRESHOLD, _KEPT = -1, 32_000_000
 
 
+def give_back() -> None:
+    """Give the system what the heap keeps of freed memory, holes between what is used among it.
+
+    It takes some milliseconds, and is for when a large call has ended. Other C libraries than glibc
+    are left alone.
+    """
+    if sys.platform == "linux":
+        with suppress(AttributeError, OSError):
+            ctypes.CDLL(None).malloc_trim(0)
+
+
 def share_one_heap() -> None:
     """Have all threads take memory from one heap.
 

@@ -10,10 +10,14 @@ from typing import TypeVar
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 
+from app.server.memory import give_back
 from app.server.pool import Overloaded
 
 _IN_PARTS = " (FRESNEL_MAX_BODY_BYTES); send an Arrow stream, which takes less, or several calls"
 T = TypeVar("T")
+
+_LARGE = 1_000_000
+"""Bytes from which on memory is given back once a call is answered."""
 
 _SMALL = 65_536
 """Bytes of a body that is always taken; the server keeps as many of each connection anyway."""
@@ -25,6 +29,7 @@ class Held:
     def __init__(self, bodies: Bodies) -> None:
         self._bodies = bodies
         self._size = 0
+        self._most = 0
         self.body = bytearray()
 
     def __enter__(self) -> Held:
@@ -33,6 +38,8 @@ class Held:
     def __exit__(self, *_: object) -> None:
         self.body = bytearray()
         self.becomes(0)
+        if self._most > _LARGE:
+            give_back()
 
     def parsed(self, read: Callable[[bytearray], T]) -> T:
         """Read the body, which is kept no longer.
@@ -52,6 +59,7 @@ class Held:
         """Hold so many bytes from now on."""
         self._bodies.held += size - self._size
         self._size = size
+        self._most = max(self._most, size)
 
 
 class Bodies:
