@@ -31,6 +31,7 @@ LAYERS = {
     },
     "app.server.pool": set(),
     "app.server.drain": set(),
+    "app.server.memory": set(),
     "app.http": {"app.answers", "app.optics", "app.server.pool"},
     "app.api": {
         "app.answers",
@@ -44,6 +45,7 @@ LAYERS = {
         "app.materials",
         "app.optics",
         "app.server.drain",
+        "app.server.memory",
         "app.server.pool",
         "app.snippets",
     },
