@@ -107,7 +107,7 @@ def test_links_of_theory_are_followed_within_the_frame(
     page: Page, lecture: Path, server_url: str
 ) -> None:
     frame = embedded(page, lecture, f"{server_url}/?view=theory&section=worksheets&embed=1")
-    frame.locator(".worksheets .sheet li a").first.click(timeout=READY_MS)
+    frame.locator(".worksheets .worksheet li a").first.click(timeout=READY_MS)
     frame.locator(".view-explore .plot-host path.js-line").first.wait_for(
         state="attached", timeout=READY_MS
     )
